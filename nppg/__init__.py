@@ -1,0 +1,1 @@
+"""Relational reinforcement learning by non-parametric policy gradients."""

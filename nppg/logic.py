@@ -1,0 +1,167 @@
+"""Variables, literals, queries and θ-subsumption.
+
+A query is a conjunction of literals. Its first `roots` variables, the root variables, are bound by the
+example (the arguments of its action and of its goal); all others are existential. Because root variables
+are bound, a query is true exactly if each of its *components* is: the parts that share no existential
+variable. A component is therefore the unit that is asked of Prolog and whose answer is kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import permutations
+from typing import NamedTuple
+
+Constant = str | int | float
+
+
+class Var(NamedTuple):
+    """A variable, known by its number."""
+
+    index: int
+
+
+Term = Var | Constant
+
+
+class Literal(NamedTuple):
+    """An atom over variables and constants; the name `=` is equality."""
+
+    name: str
+    args: tuple[Term, ...]
+
+    def variables(self) -> Iterator[Var]:
+        return (arg for arg in self.args if isinstance(arg, Var))
+
+
+Query = tuple[Literal, ...]
+Substitution = Mapping[Var, Term]
+
+
+def substitute(query: Iterable[Literal], theta: Substitution) -> Query:
+    """The query under a substitution."""
+    return tuple(
+        Literal(name, tuple(theta.get(arg, arg) if isinstance(arg, Var) else arg for arg in args))
+        for name, args in query
+    )
+
+
+def variables(query: Iterable[Literal]) -> list[Var]:
+    """The variables of a query in the order of their first occurrence."""
+    return list(dict.fromkeys(var for literal in query for var in literal.variables()))
+
+
+def components(query: Iterable[Literal], roots: int) -> list[Query]:
+    """Splits a query into its components; literals keep their order."""
+    parts: list[tuple[set[Var], list[int]]] = []
+    literals = list(query)
+    for position, literal in enumerate(literals):
+        own = {var for var in literal.variables() if var.index >= roots}
+        members = [position]
+        apart = []
+        for part in parts:
+            if part[0] & own:
+                own |= part[0]
+                members += part[1]
+            else:
+                apart.append(part)
+        parts = [*apart, (own, members)]
+    return [tuple(literals[i] for i in sorted(members)) for _, members in sorted(parts, key=lambda part: min(part[1]))]
+
+
+def solve_equalities(query: Iterable[Literal], roots: int) -> tuple[dict[Var, Term], bool]:
+    """The most general unifier of the query's equalities, and whether there is one.
+
+    Root variables stand for existential ones, earlier root variables for later ones, constants for all.
+    """
+    theta: dict[Var, Term] = {}
+
+    def find(term: Term) -> Term:
+        while isinstance(term, Var) and term in theta:
+            term = theta[term]
+        return term
+
+    for name, args in query:
+        if name == "=":
+            left, right = find(args[0]), find(args[1])
+            if left == right and type(left) is type(right):
+                continue
+            if not isinstance(left, Var) and not isinstance(right, Var):
+                return {}, False
+            if not isinstance(left, Var) or (isinstance(right, Var) and left.index < right.index):
+                left, right = right, left
+            assert isinstance(left, Var)
+            theta[left] = right
+    return {var: find(var) for var in theta}, True
+
+
+def subsumes(general: Query, special: Query, roots: int) -> bool:
+    """Whether `general` θ-subsumes `special`: some substitution of its existential variables maps every
+    literal of `general` into `special`."""
+    by_name: dict[tuple[str, int], list[Literal]] = {}
+    for literal in special:
+        by_name.setdefault((literal.name, len(literal.args)), []).append(literal)
+
+    def match(position: int, theta: dict[Var, Term]) -> bool:
+        if position == len(general):
+            return True
+        name, args = general[position]
+        for candidate in by_name.get((name, len(args)), ()):
+            extended = dict(theta)
+            for arg, target in zip(args, candidate.args, strict=True):
+                if isinstance(arg, Var) and arg.index >= roots:
+                    if extended.setdefault(arg, target) != target:
+                        break
+                elif arg != target or type(arg) is not type(target):
+                    break
+            else:
+                if match(position + 1, extended):
+                    return True
+        return False
+
+    return match(0, {})
+
+
+def reduced(query: Query, roots: int) -> Query:
+    """The query without duplicates and without literals that θ-subsumption makes redundant (Plotkin's
+    reduction)."""
+    kept = list(dict.fromkeys(query))
+    for literal in reversed(list(kept)):
+        if any(var.index >= roots for var in literal.variables()):
+            rest = [other for other in kept if other != literal]
+            if subsumes(tuple(kept), tuple(rest), roots):
+                kept = rest
+    return tuple(kept)
+
+
+def _sort_key(literal: Literal) -> tuple:
+    return (
+        literal.name,
+        tuple((0, arg.index, "") if isinstance(arg, Var) else (1, 0, f"{type(arg).__name__} {arg}") for arg in literal.args),
+    )
+
+
+def canonical(query: Query, roots: int) -> Query:
+    """One representative of all queries that differ only by the names of existential variables and the
+    order of literals. Exact for up to six existential variables; beyond that variables keep their order
+    of occurrence, so equal queries may then be told apart but never confused."""
+    existential = sorted(var for var in variables(query) if var.index >= roots)
+    if not existential:
+        return tuple(sorted(set(query), key=_sort_key))
+    names = [Var(roots + i) for i in range(len(existential))]
+    orders = permutations(existential) if len(existential) <= 6 else [tuple(existential)]
+    renamed = (set(substitute(query, dict(zip(order, names, strict=True)))) for order in orders)
+    return min((tuple(sorted(each, key=_sort_key)) for each in renamed), key=lambda q: tuple(map(_sort_key, q)))
+
+
+def normal_form(query: Query, roots: int) -> Query | None:
+    """Equalities solved, redundancies removed, variables renamed: equal for θ-equivalent queries.
+
+    Equalities between root variables stay as literals. Returns None for a query that cannot be true.
+    """
+    theta, solvable = solve_equalities(query, roots)
+    if not solvable:
+        return None
+    kept = [Literal("=", (term, var)) for var, term in sorted(theta.items()) if var.index < roots]
+    rest = substitute((literal for literal in query if literal.name != "="), theta)
+    return canonical(reduced((*kept, *rest), roots), roots)

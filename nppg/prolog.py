@@ -1,0 +1,69 @@
+"""The bridge to SWI-Prolog, and the only importer of janus_swi.
+
+Everything crosses as data: numbers, strings, lists and tuples. Mistakes come back as data too and are
+raised as NppgError, so no Prolog exception leaves this module.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nppg import prolog_home
+from nppg.errors import NppgError, Problem
+
+prolog_home.prepare()
+
+import janus_swi  # noqa: E402
+
+_STACK_LIMIT = 256 * 2**20
+
+_generator: np.random.Generator | None = None
+
+
+def shipped(folder: str) -> Path:
+    """The folder `prolog`, `domains` or `language_bias` that comes with the package."""
+    package = Path(__file__).parent
+    inside = package / "_shipped" / folder
+    return inside if inside.is_dir() else package.parent / folder
+
+
+def uniform() -> float:
+    """The next number of the generator that a domain draws from; called by prolog/randomness.pl."""
+    if _generator is None:
+        raise RuntimeError("a domain asked for randomness where none was given")
+    return float(_generator.random())
+
+
+@contextmanager
+def randomness(generator: np.random.Generator) -> Iterator[None]:
+    """Lets the domain draw from `generator`."""
+    global _generator
+    previous, _generator = _generator, generator
+    try:
+        yield
+    finally:
+        _generator = previous
+
+
+def ask(question: str, *args: Any) -> Any:
+    """The answer to one of the questions of prolog/bridge.pl.
+
+    Raises NppgError with file and line where the domain's code is at fault.
+    """
+    done, value = janus_swi.apply_once("nppg_bridge", "ask", question, list(args))
+    if not done:
+        raise NppgError(Problem(*problem) for problem in value)
+    return value
+
+
+def _start() -> None:
+    janus_swi.query_once("set_prolog_flag(stack_limit, Limit)", {"Limit": _STACK_LIMIT})
+    janus_swi.query_once("use_module(File, [])", {"File": str(shipped("prolog") / "bridge.pl")})
+
+
+_start()

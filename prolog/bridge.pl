@@ -1,0 +1,175 @@
+:- module(nppg_bridge,
+          [ ask/3                % +Name, +Args, -Answer    det
+          ]).
+
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(prolog_stack), []).
+:- use_module(domain).
+:- use_module(guard).
+:- use_module(interpretation).
+:- use_module(model).
+:- use_module(potential).
+:- use_module(query_pack).
+:- use_module(terms).
+
+/** <module> What Python asks
+
+Every question is one predicate call(Name, Args..., Answer) below, with terms as data (see terms.pl).
+*/
+
+%!  ask(+Name, +Args, -Answer) is det.
+%
+%   Answer is -(1, Value), or -(0, Problems) with Problems a list of -(File, Line, Column, Message).
+
+ask(Name, Args, Answer) :-
+    append(Args, [Value], All),
+    Goal =.. [Name|All],
+    (   catch(Goal, Error, true)
+    ->  (   var(Error)
+        ->  Answer = -(1, Value)
+        ;   Error == '$aborted'
+        ->  throw(Error)
+        ;   problems(Error, Problems),
+            Answer = -(0, Problems)
+        )
+    ;   format(atom(Message), 'the question ~q failed', [Name]),
+        Answer = -(0, [-('', 0, 0, Message)])
+    ).
+
+:- dynamic busy/0.
+
+%   halt/0 in a domain must not end Python.
+
+load(File, Parameters, [Module, Description]) :-
+    load_domain(File, Parameters, Module, Description).
+
+unload(Module, true) :-
+    unload_domain(Module).
+
+limit(Limit, true) :-
+    set_inference_limit(Limit).
+
+version(Version) :-
+    current_prolog_flag(version, Version).
+
+%!  draw(+Module, -Facts) is det: a random start state, which becomes the current one.
+
+draw(Module, Data) :-
+    start(Module, Facts),
+    maplist(encode, Facts, Data).
+
+%!  visit(+Module, +Data, -True) is det: makes a state current.
+
+visit(Module, Data, true) :-
+    maplist(decode, Data, Facts0),
+    sort(Facts0, Facts),
+    interpret(Module, Facts).
+
+horizon_of(Module, Steps) :-
+    horizon(Module, Steps).
+
+%!  situation(+Module, -Situation) is det: [Status, Actions] of the current state.
+
+situation(Module, [Status, Data]) :-
+    status(Module, Status),
+    (   Status == running
+    ->  actions(Module, Actions),
+        (   Actions == []
+        ->  fault(Module:(action/1), 'gave no legal action, though the state is neither goal nor terminal,'-[])
+        ;   true
+        ),
+        maplist(encode, Actions, Data)
+    ;   Data = []
+    ).
+
+%!  legal(+Module, -Actions) is det: also in a goal or terminal state.
+
+legal(Module, Data) :-
+    actions(Module, Actions),
+    maplist(encode, Actions, Data).
+
+expert_actions(Module, Data) :-
+    experts(Module, Actions),
+    maplist(encode, Actions, Data).
+
+%!  successors(+Module, +Action, -Outcomes) is det: a list of [Probability, Facts].
+
+successors(Module, ActionData, Data) :-
+    decode(ActionData, Action),
+    outcomes(Module, Action, Outcomes),
+    findall([Probability, Facts],
+            ( member(Probability-Terms, Outcomes), maplist(encode, Terms, Facts) ),
+            Data).
+
+%!  act(+Module, +Action, -Answer) is det.
+%
+%   Takes an action in the current state: [Reward, Facts] for the state that it leads to.
+
+act(Module, ActionData, [Reward, Data]) :-
+    decode(ActionData, Action),
+    outcomes(Module, Action, Outcomes),
+    chosen(Outcomes, Facts),
+    interpret(Module, Facts),
+    reward(Module, Action, Reward),
+    maplist(encode, Facts, Data).
+
+chosen([_-Facts], Facts) :-
+    !.
+chosen(Outcomes, Facts) :-
+    nppg_randomness:random(Float),
+    pick(Outcomes, Float, Facts).
+
+pick([Probability-Facts|Outcomes], Float, Chosen) :-
+    (   ( Outcomes == [] ; Float < Probability )
+    ->  Chosen = Facts
+    ;   Rest is Float-Probability,
+        pick(Outcomes, Rest, Chosen)
+    ).
+
+reward_of(Module, ActionData, Reward) :-
+    decode(ActionData, Action),
+    reward(Module, Action, Reward).
+
+table(Module, Kinds, Goal, Table) :-
+    new_table(Module, Kinds, Goal, Table).
+
+table_drop(Table, true) :-
+    drop_table(Table).
+
+tests(Table, Kind, Word, Tests, true) :-
+    set_word(Table, Kind, Word, Tests).
+
+answers(Table, Data, [Kinds, Words]) :-
+    maplist(decode, Data, Actions),
+    rows(Table, Actions, Kinds, Words).
+
+examples(Table, StateData, ExampleData, true) :-
+    maplist(maplist(decode), StateData, States0),
+    maplist(sort, States0, States),
+    findall([State, Action], ( member([State, Encoded], ExampleData), decode(Encoded, Action) ), Examples),
+    load_examples(Table, States, Examples).
+
+cover(Table, Packs, Examples, Words) :-
+    coverage(Table, Packs, Examples, Words).
+
+policy(Module, Policy) :-
+    new_policy(Module, Policy).
+
+policy_drop(Policy, true) :-
+    drop_policy(Policy).
+
+tree(Policy, Clauses, true) :-
+    add_tree(Policy, Clauses).
+
+potentials(Policy, Data, Potentials) :-
+    findall(Potential, ( member(Encoded, Data), decode(Encoded, Action), potential(Policy, Action, Potential) ), Potentials).
+
+rules(Policy, Tree, Texts) :-
+    findall(Text, ( rule(Policy, Tree, Clause), rule_text(Clause, Text) ), Texts).
+
+save(File, Name, DomainFile, Facts, Policy, Comments, true) :-
+    write_model(File, Name, DomainFile, Facts, Policy, Comments).
+
+model(File, Model) :-
+    read_model(File, Model).

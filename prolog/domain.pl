@@ -1,0 +1,395 @@
+:- module(nppg_domain,
+          [ load_domain/4,       % +File, +Parameters, -Module, -Description  det
+            unload_domain/1,     % +Module                       det
+            start/2,             % +Module, -Facts               det
+            status/2,            % +Module, -Status              det
+            actions/2,           % +Module, -Actions             det
+            experts/2,           % +Module, -Actions             det
+            horizon/2,           % +Module, -Steps               det
+            outcomes/3,          % +Module, +Action, -Outcomes   det
+            reward/3,            % +Module, +Action, -Reward     det
+            binding/4            % +Module, +Name, +Arity, -Values  det
+          ]).
+
+:- use_module(library(apply), [foldl/4]).
+:- use_module(library(lists), [append/3, member/2, memberchk/2]).
+:- use_module(library(occurs), [sub_term/2]).
+:- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
+:- use_module(library(prolog_codewalk), [prolog_walk_code/1]).
+:- use_module(guard).
+:- use_module(interpretation).
+:- use_module(randomness, []).
+
+/** <module> The contract of a domain file
+
+A domain file is a module that declares its fluents and parameters and defines the predicates below. None
+of them has a state argument: they see the facts of the current state. docs/domains.md is the reference.
+
+| start(-Facts)                     | a random start state                                     |
+| action(-Action)                   | the legal actions, by backtracking                       |
+| effect(+Action, -Delete, -Add)    | what an action changes                                   |
+| effect(+Action, -P, -Delete, -Add)| outcomes by backtracking, with probabilities that sum to 1 |
+| goal                              | true in a state that ends the episode with success       |
+| terminal                          | true in a state that ends the episode without success    |
+| reward(+Action, -R)               | for the action that led to the current state; default: 1 in a goal state, else 0 |
+| horizon(-N)                       | in a start state: the length after which an episode ends; default 100 |
+| expert(-Action)                   | the actions that an expert would take, by backtracking   |
+
+Every load makes an instance, a module of its own, so that one file can be loaded with other parameters
+beside itself.
+*/
+
+:- op(1150, fx, user:[fluent, interchangeable]).
+:- thread_local loading/2, setting/2, heard/1.
+:- dynamic defines/2, instances/1.
+instances(0).
+
+user:term_expansion(Term, Expansion) :-
+    loading(Module, Name),
+    expansion(Term, Module, Name, Expansion).
+
+expansion((:- module(Name, Exports)), Module, Name, (:- module(Module, Exports))).
+expansion((:- fluent(Specs)), _, _, [(:- dynamic(Specs))|Facts]) :-
+    findall(nppg_fluent(Name/Arity), specified(Specs, Name/Arity), Facts).
+expansion((:- parameter(Parameter, Default)), _, _, [parameter(Parameter, Value)]) :-
+    (   setting(Parameter, Value)
+    ->  true
+    ;   Value = Default
+    ).
+expansion((:- uniform_start), _, _, [nppg_uniform_start]).
+expansion((:- interchangeable(Indicator)), _, _, [nppg_interchangeable(Indicator)]).
+
+specified((Specs, More), Indicator) :-
+    !,
+    (   specified(Specs, Indicator)
+    ;   specified(More, Indicator)
+    ).
+specified(Indicator, Indicator).
+
+user:thread_message_hook(Message, Kind, _) :-
+    loading(_, _),
+    memberchk(Kind, [error, warning]),
+    located(Message, File, Line, Column),
+    explanation(Message, Text),
+    assertz(heard(-(File, Line, Column, Text))).
+
+located(error(_, file(File, Line, Column, _)), File, Line, Column) :- !.
+located(error(_, stream(_, Line, Column, _)), File, Line, Column) :-
+    !,
+    prolog_load_context(source, Id),
+    source_file_name(Id, File).
+located(_, File, Line, 0) :-
+    source_location(Id, Line),
+    !,
+    source_file_name(Id, File).
+located(_, '', 0, 0).
+
+source_file_name(Id, File) :-
+    (   sub_atom(Id, Before, _, _, '#')
+    ->  sub_atom(Id, 0, Before, _, File)
+    ;   File = Id
+    ).
+
+%!  load_domain(+File, +Parameters, -Module, -Description) is det.
+%
+%   Parameters is a list of lists [Name, Value]. Description is a list of lists [Key, Value].
+%
+%   @throws nppg_problems(Problems): every mistake that can be found without running the domain
+
+load_domain(File, Parameters, Module, Description) :-
+    module_name(File, Name),
+    retract(instances(Count0)),
+    Count is Count0+1,
+    assertz(instances(Count)),
+    format(atom(Module), '~w#~d', [Name, Count]),
+    retractall(heard(_)),
+    retractall(setting(_, _)),
+    forall(member([Key, Value], Parameters), assertz(setting(Key, Value))),
+    setup_call_cleanup(
+        asserta(loading(Module, Name)),
+        load(File, Module),
+        retractall(loading(_, _))),
+    add_import_module(Module, nppg_randomness, start),
+    findall(Problem, retract(heard(Problem)), Heard),
+    findall(Problem, mistake(Module, File, Parameters, Problem), Mistakes),
+    append(Heard, Mistakes, Problems),
+    (   Problems == []
+    ->  true
+    ;   unload_domain(Module),
+        sort(Problems, Sorted),
+        throw(nppg_problems(Sorted))
+    ),
+    forall(( contract(Indicator), defined(Module, Indicator) ),
+           assertz(defines(Module, Indicator))),
+    findall([Key, Value], description(Module, Name, Key, Value), Description).
+
+module_name(File, Name) :-
+    setup_call_cleanup(
+        open(File, read, In, [encoding(utf8)]),
+        catch(read(In, Term), _, Term = (:- module('', []))),
+        close(In)),
+    (   nonvar(Term), Term = (:- module(Name, _)), atom(Name)
+    ->  true
+    ;   throw(nppg_problems([-(File, 1, 0, 'a domain starts with :- module(Name, []).')]))
+    ).
+
+load(File, Module) :-
+    atomic_list_concat([File, Module], '#', Id),
+    setup_call_cleanup(
+        open(File, read, In, [encoding(utf8)]),
+        load_files(user:Id, [stream(In), if(true), imports([]), silent(true)]),
+        close(In)).
+
+unload_domain(Module) :-
+    forget(Module),
+    retractall(defines(Module, _)),
+    forall(( source_file(Id), atom_concat(_, Module, Id) ), unload_file(Id)),
+    forall(( current_predicate(Module:Name/Arity),
+             functor(Head, Name, Arity),
+             predicate_property(Module:Head, dynamic),
+             \+ predicate_property(Module:Head, imported_from(_)) ),
+           retractall(Module:Head)).
+
+contract(start/1).
+contract(action/1).
+contract(effect/3).
+contract(effect/4).
+contract(goal/0).
+contract(terminal/0).
+contract(reward/2).
+contract(horizon/1).
+contract(expert/1).
+
+defined(Module, Name/Arity) :-
+    functor(Head, Name, Arity),
+    predicate_property(Module:Head, defined),
+    \+ predicate_property(Module:Head, imported_from(_)).
+
+%   What a domain file lacks or gets wrong, as a tuple -(File, Line, Column, Message).
+
+mistake(Module, File, _, -(File, 1, 0, Message)) :-
+    member(Needed-Text, [ start/1  - 'start/1 is missing: start(-Facts) gives a random start state',
+                          action/1 - 'action/1 is missing: action(-Action) gives the legal actions' ]),
+    \+ defined(Module, Needed),
+    Message = Text.
+mistake(Module, File, _, -(File, 1, 0, 'effect/3 is missing: effect(+Action, -Delete, -Add) says what an action changes')) :-
+    \+ defined(Module, effect/3),
+    \+ defined(Module, effect/4).
+mistake(Module, File, _, -(File, 1, 0, 'no fluent is declared: :- fluent on/2 says which facts a state consists of')) :-
+    \+ fluent(Module, _).
+mistake(Module, File, _, -(File, 1, 0, 'neither goal/0, terminal/0 nor reward/2 is defined: there is nothing to learn')) :-
+    \+ defined(Module, goal/0),
+    \+ defined(Module, terminal/0),
+    \+ defined(Module, reward/2).
+mistake(Module, File, Parameters, -(File, 1, 0, Message)) :-
+    findall(Name, parameter(Module, Name, _), Names),
+    member([Key, _], Parameters),
+    \+ memberchk(Key, Names),
+    format(atom(Message), 'there is no parameter ~q; the domain has ~q', [Key, Names]).
+mistake(Module, File, _, -(File, Line, 0, Message)) :-
+    findall(Undefined, undefined(Module, Undefined), All0),
+    sort(All0, All),
+    member(Line-(Name/Arity), All),
+    format(atom(Message), 'unknown predicate ~q', [Name/Arity]).
+
+%   Predicates that some clause of the domain calls and nobody defines.
+
+:- thread_local missing/1.
+
+undefined(Module, Missing) :-
+    retractall(missing(_)),
+    prolog_walk_code([ module(Module), module_class([user]), undefined(trace),
+                       on_trace(nppg_domain:note_missing), source(true), autoload(true), walk_meta_predicates(true) ]),
+    retract(missing(Missing)).
+
+note_missing(Callee, _, Location) :-
+    strip_module(Callee, _, Head),
+    functor(Head, Name, Arity),
+    (   Location = clause(Clause), clause_property(Clause, line_count(Line))
+    ->  true
+    ;   Location = clause_term_position(Clause, _), clause_property(Clause, line_count(Line))
+    ->  true
+    ;   Line = 1
+    ),
+    assertz(missing(Line-(Name/Arity))).
+
+declared(Module, Head) :-
+    predicate_property(Module:Head, defined),
+    catch(Module:Head, _, fail).
+
+fluent(Module, Indicator) :-
+    declared(Module, nppg_fluent(Indicator)).
+
+parameter(Module, Name, Value) :-
+    declared(Module, parameter(Name, Value)).
+
+description(_, Name, name, Name).
+description(Module, _, fluents, Fluents) :-
+    findall([Name, Arity], fluent(Module, Name/Arity), Fluents).
+description(Module, _, parameters, Parameters) :-
+    findall([Key, Value], parameter(Module, Key, Value), Parameters).
+description(Module, _, predicates, Predicates) :-
+    findall([Name, Arity],
+            ( current_predicate(Module:Name/Arity),
+              defined(Module, Name/Arity),
+              \+ contract(Name/Arity),
+              \+ memberchk(Name/Arity, [nppg_fluent/1, nppg_uniform_start/0, nppg_interchangeable/1, parameter/2]) ),
+            Predicates0),
+    sort(Predicates0, Predicates).
+description(Module, _, actions, Actions) :-
+    (   findall(Name-Arity,
+                ( clause(Module:action(Action), _),
+                  ( nonvar(Action) -> functor(Action, Name, Arity) ; throw(open) ) ),
+                Found)
+    ->  true
+    ),
+    sort(Found, Sorted),
+    findall([Name, Arity], member(Name-Arity, Sorted), Actions).
+description(Module, _, uniform_start, Uniform) :-
+    ( declared(Module, nppg_uniform_start) -> Uniform = true ; Uniform = false ).
+description(Module, _, interchangeable, Names) :-
+    findall(Name, declared(Module, nppg_interchangeable(Name/1)), Names).
+description(Module, _, expert, Expert) :-
+    ( defined(Module, expert/1) -> Expert = true ; Expert = false ).
+
+%!  start(+Module, -Facts) is det.
+%
+%   Draws a start state and makes it current.
+
+start(Module, Facts) :-
+    (   guarded(Module:(start/1), Module:start(Drawn))
+    ->  true
+    ;   fault(Module:(start/1), 'failed'-[])
+    ),
+    must_be_facts(Module, start/1, Drawn),
+    sort(Drawn, Facts),
+    interpret(Module, Facts).
+
+must_be_facts(Module, Source, Facts) :-
+    (   is_list(Facts)
+    ->  true
+    ;   fault(Module:Source, 'gave ~p where a list of facts is wanted'-[Facts])
+    ),
+    (   member(Fact, Facts), \+ fact(Module, Fact)
+    ->  fault(Module:Source, 'gave ~p, which is no ground fact of a declared fluent'-[Fact])
+    ;   true
+    ).
+
+fact(Module, Fact) :-
+    ground(Fact),
+    callable(Fact),
+    functor(Fact, Name, Arity),
+    Module:nppg_fluent(Name/Arity),
+    \+ ( sub_term(String, Fact), string(String) ).
+
+%!  status(+Module, -Status) is det.
+%
+%   goal, terminal or running, for the current state.
+
+status(Module, Status) :-
+    (   defines(Module, goal/0), guarded(Module:(goal/0), Module:goal)
+    ->  Status = goal
+    ;   defines(Module, terminal/0), guarded(Module:(terminal/0), Module:terminal)
+    ->  Status = terminal
+    ;   Status = running
+    ).
+
+%!  actions(+Module, -Actions) is det.
+%
+%   The legal actions of the current state, sorted, so that their order is a function of the state alone.
+
+actions(Module, Actions) :-
+    guarded_findall(Action, Module:(action/1), Module:action(Action), Found),
+    sort(Found, Actions),
+    (   member(Action, Actions), \+ ground(Action)
+    ->  fault(Module:(action/1), 'gave ~p, which is not ground'-[Action])
+    ;   true
+    ).
+
+experts(Module, Actions) :-
+    (   defines(Module, expert/1)
+    ->  guarded_findall(Action, Module:(expert/1), Module:expert(Action), Found),
+        sort(Found, Actions)
+    ;   Actions = []
+    ).
+
+horizon(Module, Steps) :-
+    (   \+ defines(Module, horizon/1)
+    ->  Steps = 100
+    ;   guarded(Module:(horizon/1), Module:horizon(Given)), integer(Given), Given >= 0
+    ->  Steps = Given
+    ;   fault(Module:(horizon/1), 'gave no number of steps'-[])
+    ).
+
+%!  outcomes(+Module, +Action, -Outcomes) is det.
+%
+%   Outcomes is a list of Probability-Facts, the states that the action may lead to. The current state
+%   stays current.
+
+outcomes(Module, Action, Outcomes) :-
+    interpretation(Module, Facts),
+    findall(Outcome, outcome(Module, Action, Facts, Outcome), Outcomes),
+    (   Outcomes == []
+    ->  fault(Module:(action/1), 'allows ~p, which no effect covers,'-[Action])
+    ;   Outcomes = [1-_]
+    ->  true
+    ;   foldl(add_probability, Outcomes, 0, Sum),
+        abs(Sum-1) < 1.0e-9
+    ->  true
+    ;   length(Outcomes, Count),
+        fault(Module:(action/1), 'allows ~p, which has ~d effects whose probabilities do not sum to 1,'-[Action, Count])
+    ).
+
+add_probability(Probability-_, Sum0, Sum) :-
+    Sum is Sum0 + Probability.
+
+outcome(Module, Action, Facts, Probability-Successor) :-
+    (   defines(Module, effect/3),
+        Source = effect/3,
+        Probability = 1,
+        guarded_findall(Delete-Add, Module:(effect/3), Module:effect(Action, Delete, Add), Changes),
+        member(Delete-Add, Changes)
+    ;   defines(Module, effect/4),
+        Source = effect/4,
+        guarded_findall(c(P, Delete, Add), Module:(effect/4), Module:effect(Action, P, Delete, Add), Changes),
+        member(c(Probability, Delete, Add), Changes),
+        (   number(Probability), Probability > 0, Probability =< 1
+        ->  true
+        ;   fault(Module:(effect/4), 'gave ~p as the probability of an outcome of ~p'-[Probability, Action])
+        )
+    ),
+    must_be_facts(Module, Source, Delete),
+    must_be_facts(Module, Source, Add),
+    sort(Delete, Gone),
+    sort(Add, New),
+    ord_subtract(Facts, Gone, Kept),
+    ord_union(Kept, New, Successor).
+
+%!  reward(+Module, +Action, -Reward) is det.
+%
+%   The reward for Action, which has just led to the current state.
+
+reward(Module, Action, Reward) :-
+    (   defines(Module, reward/2)
+    ->  (   guarded(Module:(reward/2), Module:reward(Action, Given)), number(Given)
+        ->  Reward = Given
+        ;   fault(Module:(reward/2), 'gave no number for ~p'-[Action])
+        )
+    ;   status(Module, goal)
+    ->  Reward = 1
+    ;   Reward = 0
+    ).
+
+%!  binding(+Module, +Name, +Arity, -Values) is det.
+%
+%   The arguments of the goal's only answer in the current state.
+
+binding(Module, Name, Arity, Values) :-
+    functor(Goal, Name, Arity),
+    guarded_findall(Goal, Module:(Name/Arity), Module:Goal, Answers0),
+    sort(Answers0, Answers),
+    (   Answers = [Answer]
+    ->  Answer =.. [_|Values]
+    ;   length(Answers, Count),
+        fault(Module:(Name/Arity), 'is the goal template of the language bias and must have one answer, but has ~d'-[Count])
+    ).

@@ -1,0 +1,44 @@
+:- module(nppg_interpretation,
+          [ interpret/2,         % +Module, +Facts       det
+            interpretation/2,    % +Module, -Facts       det
+            change/3,            % +Module, +Delete, +Add  det
+            forget/1             % +Module               det
+          ]).
+
+:- use_module(library(lists), [member/2]).
+:- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
+
+/** <module> The current interpretation
+
+Which facts hold in the state that is current in a domain. Fluents are dynamic predicates of the domain's
+module, so that domain code needs no state argument. A state is an ordered set of ground facts; making
+another state current touches only the facts in which the two differ.
+*/
+
+:- dynamic current/2.            % Module, Facts
+
+interpretation(Module, Facts) :-
+    (   current(Module, Current)
+    ->  Facts = Current
+    ;   Facts = []
+    ).
+
+interpret(Module, Facts) :-
+    interpretation(Module, Old),
+    ord_subtract(Old, Facts, Gone),
+    ord_subtract(Facts, Old, New),
+    forall(member(Fact, Gone), once(retract(Module:Fact))),
+    forall(member(Fact, New), assertz(Module:Fact)),
+    retractall(current(Module, _)),
+    assertz(current(Module, Facts)).
+
+change(Module, Delete, Add) :-
+    interpretation(Module, Old),
+    sort(Delete, Gone),
+    sort(Add, New),
+    ord_subtract(Old, Gone, Kept),
+    ord_union(Kept, New, Facts),
+    interpret(Module, Facts).
+
+forget(Module) :-
+    retractall(current(Module, _)).

@@ -1,0 +1,182 @@
+:- module(nppg_model,
+          [ write_model/6,       % +File, +Name, +DomainFile, +Facts, +Policy, +Comments  det
+            read_model/2,        % +File, -Model                det
+            rule_text/2          % +Clause, -Text               det
+          ]).
+
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/3, member/2, nth0/3, nth1/3]).
+:- use_module(library(readutil), [read_file_to_string/3]).
+:- use_module(guard, [explanation/2]).
+:- use_module(potential, [rule/3]).
+:- use_module(terms).
+
+/** <module> Model files
+
+A model file is Prolog that a person can read and that plain Prolog can load beside its domain. It is
+written from the clauses that the potential is stored as, and read back strictly as data: nothing in it is
+ever called. It has three parts: the terms of plain.pl, facts that describe it (model/2), and the trees.
+*/
+
+
+:- dynamic plain_file/1.
+:- prolog_load_context(directory, Directory),
+   atom_concat(Directory, '/plain.pl', File),
+   assertz(plain_file(File)).
+
+%!  write_model(+File, +Name, +DomainFile, +Facts, +Policy, +Comments) is det.
+%
+%   Name is the domain's module and DomainFile its file's base name. Facts is a list of [Key, Value], Value
+%   as data. Comments has one line of text for each tree.
+
+write_model(File, Name, DomainFile, Facts, Policy, Comments) :-
+    setup_call_cleanup(
+        open(File, write, Out, [encoding(utf8)]),
+        ( preamble(Out, Name, DomainFile, Facts),
+          forall(nth1(Tree, Comments, Comment), write_tree(Out, Policy, Tree, Comment)) ),
+        close(Out)).
+
+preamble(Out, Name, DomainFile, Facts) :-
+    format(Out, '% A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.~n', []),
+    format(Out, '% In plain Prolog, in the folder of this file and its domain:  swipl model.pl~n', []),
+    format(Out, '%     ?- state([...]), best_action(Action).~n~n', []),
+    forall(( member([Key, Data], Facts), decode(Data, Value) ),
+           format(Out, '~q.~n', [model(Key, Value)])),
+    plain_file(Plain),
+    read_file_to_string(Plain, Text, [encoding(utf8)]),
+    format(Out, '~n~w~ndomain(~q).~n:- ensure_loaded(~q).~n:- add_import_module(user, ~q, start).~n',
+           [Text, Name, DomainFile, Name]).
+
+write_tree(Out, Policy, Tree, Comment) :-
+    format(Out, '~n% tree ~d: ~w~n', [Tree, Comment]),
+    forall(( rule(Policy, Tree, Clause), rule_text(Clause, Text) ),
+           format(Out, '~w~n', [Text])).
+
+%!  rule_text(+Clause, -Text) is det.
+%
+%   A clause on one line, its variables named in the order of occurrence.
+
+rule_text(Clause, Text) :-
+    copy_term(Clause, (Head :- Body)),
+    numbervars(Head-Body, 0, _, [singletons(true)]),
+    Options = [quoted(true), numbervars(true), spacing(next_argument)],
+    (   Body == true
+    ->  format(atom(Text), '~W.', [Head, Options])
+    ;   goals(Body, Goals),
+        maplist(goal_text(Options), Goals, Texts),
+        atomic_list_concat(Texts, ', ', BodyText),
+        format(atom(Text), '~W :- ~w.', [Head, Options, BodyText])
+    ).
+
+goals((Goal, Rest), [Goal|Goals]) :-
+    !,
+    goals(Rest, Goals).
+goals(Goal, [Goal]).
+
+goal_text(Options, Goal, Text) :-
+    format(atom(Text), '~W', [Goal, Options]).
+
+%!  read_model(+File, -Model) is det.
+%
+%   Model is a list [Facts, Name, DomainFile, Rules] with Rules a list of
+%   [Line, Tree, Head, Query, Value, Final]: Head and Query as data in which variables are numbered in the
+%   order of occurrence, Final true for a rule without a cut.
+%
+%   @throws nppg_problems(Problems) for everything that is no part of a model
+
+read_model(File, [Facts, Name, DomainFile, Rules]) :-
+    file_terms(File, Terms0),
+    described(Terms0, Facts, Terms1),
+    plain_file(Plain),
+    file_terms(Plain, PlainTerms),
+    same_terms(PlainTerms, Terms1, File, Terms2),
+    (   Terms2 = [domain(Name)-_, (:- ensure_loaded(DomainFile))-_, (:- add_import_module(user, Name, start))-_|Terms],
+        atom(Name),
+        atom(DomainFile)
+    ->  true
+    ;   not_a_model(File, Terms2)
+    ),
+    rules(Terms, File, Rules).
+
+file_terms(File, Terms) :-
+    setup_call_cleanup(
+        open(File, read, In, [encoding(utf8)]),
+        catch(stream_terms(In, Terms), Error, syntax_problem(File, Error)),
+        close(In)).
+
+stream_terms(In, Terms) :-
+    read_term(In, Term, [term_position(Position), module(nppg_model), cycles(false)]),
+    (   Term == end_of_file
+    ->  Terms = []
+    ;   stream_position_data(line_count, Position, Line),
+        Terms = [Term-Line|Rest],
+        stream_terms(In, Rest)
+    ).
+
+syntax_problem(File, error(syntax_error(What), stream(_, Line, Column, _))) :-
+    !,
+    explanation(error(syntax_error(What), _), Text),
+    throw(nppg_problems([-(File, Line, Column, Text)])).
+syntax_problem(_, Error) :-
+    throw(Error).
+
+described([model(Key, Value)-_|Terms], [[Key, Data]|Facts], Rest) :-
+    ground(Key-Value),
+    !,
+    encode(Value, Data),
+    described(Terms, Facts, Rest).
+described(Terms, [], Terms).
+
+same_terms([], Terms, _, Terms).
+same_terms([Wanted-_|More], Terms, File, Rest) :-
+    (   Terms = [Term-_|Tail], Term =@= Wanted
+    ->  same_terms(More, Tail, File, Rest)
+    ;   not_a_model(File, Terms)
+    ).
+
+not_a_model(File, Terms) :-
+    (   Terms = [_-Line|_]
+    ->  true
+    ;   Line = 0
+    ),
+    throw(nppg_problems([-(File, Line, 0, 'this is no part of an nppg model, or the file is truncated here')])).
+
+rules([], _, []).
+rules([Term-Line|Terms], File, [Rule|Rules]) :-
+    (   rule_data(Term, Line, Rule)
+    ->  rules(Terms, File, Rules)
+    ;   throw(nppg_problems([-(File, Line, 0, 'this is no rule delta(Tree, Action, Value) :- Tests, !.')]))
+    ).
+
+rule_data(Term, Line, [Line, Tree, HeadData, Query, Value, Final]) :-
+    (   Term = (Head :- Body)
+    ->  goals(Body, Goals),
+        append(Tests, [!], Goals),
+        Final = false
+    ;   Head = Term,
+        Tests = [],
+        Final = true
+    ),
+    Head = delta(Tree, Action, Value),
+    integer(Tree),
+    number(Value),
+    term_variables(Term, Variables),
+    (   var(Action)
+    ->  HeadData = []
+    ;   literal_data(Variables, Action, HeadData)
+    ),
+    maplist(literal_data(Variables), Tests, Query).
+
+literal_data(Variables, Literal, [Name|Data]) :-
+    callable(Literal),
+    Literal =.. [Name|Args],
+    maplist(argument_data(Variables), Args, Data).
+
+argument_data(Variables, Arg, Data) :-
+    (   var(Arg)
+    ->  nth0(Data, Variables, Variable),
+        Variable == Arg
+    ;   atomic(Arg),
+        \+ string(Arg),
+        Data = [Arg]
+    ).

@@ -1,0 +1,299 @@
+:- module(nppg_query_pack,
+          [ new_table/4,         % +Module, +Kinds, +Goal, -Table             det
+            drop_table/1,        % +Table                                     det
+            set_word/4,          % +Table, +Kind, +Word, +Tests               det
+            rows/4,              % +Table, +Actions, -Kinds, -Words           det
+            load_examples/3,     % +Table, +States, +Examples                 det
+            coverage/4           % +Table, +Packs, +Examples, -Words          det
+          ]).
+
+:- use_module(library(apply), [foldl/4]).
+:- use_module(library(lists), [append/3, member/2, nth0/3]).
+:- use_module(domain).
+:- use_module(guard).
+:- use_module(interpretation).
+:- use_module(terms).
+
+/** <module> Query packs: many tests asked at once
+
+A test is a conjunction over the root variables of an example, the arguments of its action and of the
+goal, and over existential variables of its own. The answers to up to 60 tests are the bits of one word.
+
+A *table* keeps tests that are asked again and again: those without a shared prefix. They are compiled into
+one clause per word, in a module that sees the domain. Where a domain has several kinds of actions, each
+kind has its own clause, in which tests about another kind's arguments are false.
+
+A *pack* (Blockeel et al. 2002) is the set of a node's tests that extend one part of its query: that prefix
+runs once, and a test that has succeeded is not tried again.
+*/
+
+:- dynamic
+    layout/4,                    % Table, Module, Kinds, Goal
+    tables/1,
+    state/3,                     % Table, Number, Facts
+    example/4.                   % Table, Number, State, Roots
+tables(0).
+
+%!  new_table(+Module, +Kinds, +Goal, -Table) is det.
+%
+%   Kinds is a list of [Name, Arity], the action templates; Goal is [] or [Name, Arity].
+
+new_table(Module, Kinds, Goal, Table) :-
+    retract(tables(Count0)),
+    Count is Count0+1,
+    assertz(tables(Count)),
+    atom_concat('nppg_table#', Count, Table),
+    set_module(Table:class(system)),
+    add_import_module(Table, Module, start),
+    dynamic(Table:(row/3)),
+    assertz(layout(Table, Module, Kinds, Goal)).
+
+drop_table(Table) :-
+    retractall(layout(Table, _, _, _)),
+    drop_examples(Table),
+    retractall(Table:row(_, _, _)).
+
+root_count(Table, Count) :-
+    layout(Table, _, Kinds, Goal),
+    foldl(add_arity, Kinds, 0, Count0),
+    (   Goal = [_, Arity]
+    ->  Count is Count0+Arity
+    ;   Count = Count0
+    ).
+
+add_arity([_, Arity], Sum0, Sum) :-
+    Sum is Sum0+Arity.
+
+%!  set_word(+Table, +Kind, +Word, +Tests) is det.
+%
+%   Compiles at most 60 tests into the clause that answers them for actions of one kind. A test is a list of
+%   literals as data, or `false`.
+
+set_word(Table, Kind, Word, Tests) :-
+    root_count(Table, Count),
+    functor(Roots, roots, Count),
+    foldl(test_bit(Roots), Tests, bits(1, 0, true), bits(_, Bits, Body)),
+    Key is Kind*1000+Word,
+    retractall(Table:row(Key, _, _)),
+    compiled(Table, (row(Key, Roots, Bits) :- Body)).
+
+compiled(Table, Clause) :-
+    current_prolog_flag(optimise, Old),
+    setup_call_cleanup(
+        set_prolog_flag(optimise, true),
+        assertz(Table:Clause),
+        set_prolog_flag(optimise, Old)).
+
+test_bit(Roots, Test, bits(Bit, Bits0, Body), bits(NextBit, Bits, Extended)) :-
+    NextBit is Bit*2,
+    (   Test == false
+    ->  Bits = Bits0,
+        Extended = Body
+    ;   test_goal(Roots, Test, Goal),
+        Extended = (Body, ( Goal -> Bits is Bits0+Bit ; Bits = Bits0 ))
+    ).
+
+%   Each test gets fresh existential variables.
+
+test_goal(Roots, Test, Goal) :-
+    query_variables(Roots, [Test], Variables),
+    literals(Test, Variables, Literals),
+    conjunction(Literals, Goal).
+
+query_variables(Roots, Queries, Variables) :-
+    functor(Roots, _, RootCount),
+    findall(Number, ( member(Query, Queries), member([_|Args], Query), member(Number, Args), integer(Number) ), Numbers),
+    foldl(higher, Numbers, RootCount, Size),
+    functor(Variables, v, Size),
+    share(1, RootCount, Roots, Variables).
+
+higher(Number, Size0, Size) :-
+    Size is max(Size0, Number+1).
+
+share(N, Count, _, _) :-
+    N > Count,
+    !.
+share(N, Count, Roots, Variables) :-
+    arg(N, Roots, Variable),
+    arg(N, Variables, Variable),
+    Next is N+1,
+    share(Next, Count, Roots, Variables).
+
+%!  roots(+Table, +Action, +GoalValues, -Kind, -Roots) is det.
+
+roots(Table, Action, GoalValues, Kind, Roots) :-
+    layout(Table, Module, Kinds, _),
+    Action =.. [Name|Args],
+    length(Args, Arity),
+    (   nth0(Kind, Kinds, [Name, Arity])
+    ->  true
+    ;   fault(Module:(action/1), 'gave ~p, for which the language bias has no action template,'-[Action])
+    ),
+    root_values(Kinds, Kind, Args, GoalValues, Values),
+    Roots =.. [roots|Values].
+
+root_values([], _, _, GoalValues, GoalValues).
+root_values([[_, Arity]|Kinds], Kind, Args, GoalValues, Values) :-
+    (   Kind == 0
+    ->  Own = Args
+    ;   length(Own, Arity)
+    ),
+    Next is Kind-1,
+    append(Own, Rest, Values),
+    root_values(Kinds, Next, Args, GoalValues, Rest).
+
+goal_values(Table, Values) :-
+    layout(Table, Module, _, Goal),
+    (   Goal = [Name, Arity]
+    ->  binding(Module, Name, Arity, Values)
+    ;   Values = []
+    ).
+
+%!  rows(+Table, +Actions, -Kinds, -Words) is det.
+%
+%   The answers to all tests of the table for actions of the current state: the kind of each action, and
+%   the words of all actions in one list.
+
+rows(Table, Actions, Kinds, Words) :-
+    goal_values(Table, GoalValues),
+    phrase(action_rows(Actions, Table, GoalValues, Kinds), Words).
+
+action_rows([], _, _, []) -->
+    [].
+action_rows([Action|Actions], Table, GoalValues, [Kind|Kinds]) -->
+    { roots(Table, Action, GoalValues, Kind, Roots),
+      First is Kind*1000
+    },
+    words(Table, First, Roots),
+    action_rows(Actions, Table, GoalValues, Kinds).
+
+words(Table, Key, Roots) -->
+    { \+ \+ clause(Table:row(Key, _, _), _) },
+    !,
+    { answered(Table, Table:row(Key, Roots, Word), Roots),
+      Next is Key+1
+    },
+    [Word],
+    words(Table, Next, Roots).
+words(_, _, _) -->
+    [].
+
+%   Runs a compiled clause; where it fails to finish, the single test at fault is looked for, so that the
+%   message can name its predicate.
+
+answered(Table, Goal, Roots) :-
+    layout(Table, Module, _, _),
+    catch(guarded(Module:test, Goal), nppg_fault(_, Fault), blame(Module, Goal, Roots, Fault)).
+
+blame(Module, Table:Goal, Roots, Fault) :-
+    clause(Table:Goal, Body),
+    arg(2, Goal, Roots),
+    (   step(Body, Test),
+        catch(( ignore(guarded(Module:test, Table:Test)), fail ), nppg_fault(_, Own), true)
+    ->  last_literal(Test, Literal),
+        functor(Literal, Name, Arity),
+        throw(nppg_fault(Module:(Name/Arity), Own))
+    ;   throw(nppg_fault(Module:(test/0), Fault))
+    ).
+
+step((Left, Right), Test) :-
+    !,
+    (   step(Left, Test)
+    ;   step(Right, Test)
+    ).
+step(( Test -> _ ; _ ), Test).
+
+last_literal((_, Rest), Literal) :-
+    !,
+    last_literal(Rest, Literal).
+last_literal(Literal, Literal).
+
+%!  load_examples(+Table, +States, +Examples) is det.
+%
+%   Replaces the examples that coverage/4 is asked about. States is a list of sorted fact lists, Examples a
+%   list of [State, Action] with the number of a state, from 0.
+
+load_examples(Table, States, Examples) :-
+    drop_examples(Table),
+    layout(Table, Module, _, _),
+    foldl(load_state(Table, Module), States, 0, _),
+    foldl(load_example(Table), Examples, 0, _).
+
+drop_examples(Table) :-
+    retractall(state(Table, _, _)),
+    retractall(example(Table, _, _, _)).
+
+load_state(Table, Module, Facts, Number, Next) :-
+    interpret(Module, Facts),
+    goal_values(Table, GoalValues),
+    assertz(state(Table, Number, Facts-GoalValues)),
+    Next is Number+1.
+
+load_example(Table, [State, Action], Number, Next) :-
+    state(Table, State, _-GoalValues),
+    roots(Table, Action, GoalValues, _, Roots),
+    assertz(example(Table, Number, State, Roots)),
+    Next is Number+1.
+
+%!  coverage(+Table, +Packs, +Examples, -Words) is det.
+%
+%   Each pack is a list [Prefix, Tests] of literals as data, with at most 60 tests. Words has one word for
+%   each example and pack, example by example.
+
+coverage(Table, Packs, Examples, Words) :-
+    layout(Table, Module, _, _),
+    setup_call_cleanup(
+        foldl(compile_pack(Table), Packs, 0, Count),
+        phrase(example_words(Examples, Table, Module, Count, -1), Words),
+        retractall(Table:pack(_, _, _))).
+
+compile_pack(Table, [Prefix, Tests], Number, Next) :-
+    root_count(Table, Count),
+    functor(Roots, roots, Count),
+    query_variables(Roots, [Prefix], Shared),
+    literals(Prefix, Shared, PrefixLiterals),
+    conjunction(PrefixLiterals, PrefixGoal),
+    length(Tests, Size),
+    Full is (1<<Size)-1,
+    foldl(pack_bit(Shared), Tests, bits(1, Bits0, true), bits(_, Bits, Body)),
+    compiled(Table, ( pack(Number, Roots, Answer) :-
+                          Answers = answers(0),
+                          (   PrefixGoal,
+                              arg(1, Answers, Bits0),
+                              Body,
+                              nb_setarg(1, Answers, Bits),
+                              Bits =:= Full
+                          ->  true
+                          ;   true
+                          ),
+                          arg(1, Answers, Answer) )),
+    Next is Number+1.
+
+pack_bit(Shared, Test, bits(Bit, Bits0, Body), bits(NextBit, Bits, Extended)) :-
+    NextBit is Bit*2,
+    query_variables(Shared, [Test], Variables),
+    literals(Test, Variables, Literals),
+    conjunction(Literals, Goal),
+    Extended = (Body, ( Bits0 /\ Bit =:= 0, Goal -> Bits is Bits0+Bit ; Bits = Bits0 )).
+
+example_words([], _, _, _, _) -->
+    [].
+example_words([Number|Numbers], Table, Module, Count, Current) -->
+    { example(Table, Number, State, Roots),
+      (   State == Current
+      ->  true
+      ;   state(Table, State, Facts-_),
+          interpret(Module, Facts)
+      )
+    },
+    pack_words(0, Count, Table, Roots),
+    example_words(Numbers, Table, Module, Count, State).
+
+pack_words(Count, Count, _, _) -->
+    !.
+pack_words(Number, Count, Table, Roots) -->
+    { answered(Table, Table:pack(Number, Roots, Word), Roots),
+      Next is Number+1
+    },
+    [Word],
+    pack_words(Next, Count, Table, Roots).
