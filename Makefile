@@ -1,0 +1,29 @@
+.DEFAULT_GOAL := help
+.PHONY: help setup demo test lint bench clean
+bin := .venv/bin
+
+help:   ## list these targets
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1|\2/p' Makefile | while IFS='|' read -r name text; do printf 'make %-6s %s\n' "$$name" "$$text"; done
+
+setup:  ## make ready what is still missing: SWI-Prolog, .venv, nppg in it
+	@./setup
+
+demo: setup  ## learn on(A,B) among ten blocks, show a rule, prove the success over all starts
+	$(bin)/nppg train blocks_world --seed 0 --episodes 2000 --evaluate-every 50 --output runs/demo
+	$(bin)/nppg show runs/demo/model.pl --tree 1
+	$(bin)/nppg evaluate runs/demo/model.pl --exact
+	@echo "The learning curve is in runs/demo/curve.png, the policy in runs/demo/model.pl."
+
+lint: setup  ## style and types
+	$(bin)/ruff check
+	$(bin)/mypy nppg
+
+test: lint  ## style, types, then every test
+	$(bin)/pytest -q
+
+bench: setup  ## the speed table of docs/performance.md
+	$(bin)/python -m benchmarks
+
+clean:  ## remove runs and caches, keep the set-up
+	rm -rf runs build dist .coverage .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	find . -name __pycache__ -not -path './.venv/*' -not -path './.swipl/*' -prune -exec rm -rf {} +
