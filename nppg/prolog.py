@@ -6,6 +6,7 @@ raised as NppgError, so no Prolog exception leaves this module.
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -59,6 +60,11 @@ def ask(question: str, *args: Any) -> Any:
     if not done:
         raise NppgError(Problem(*problem) for problem in value)
     return value
+
+
+def drop_with(owner: object, question: str, *args: Any) -> None:
+    """Asks a last question, which frees what Prolog holds for `owner`, once Python has dropped it."""
+    weakref.finalize(owner, ask, question, *args).atexit = False
 
 
 def _start() -> None:

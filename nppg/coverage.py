@@ -1,0 +1,184 @@
+"""Which examples a test covers, asked of Prolog.
+
+A `TestTable` holds the tests that are asked of every state-action pair: the refinements of the empty query and
+whatever the trees of a policy test. Their answers are kept with the pair as bits, for the potential and for all
+trees grown from it later. What a node needs beyond them, tests about the existential variables of its query,
+`Coverage` asks for as query packs: one call for all candidates on all examples of the node.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+import numpy as np
+
+from nppg.domain import Action, Domain, State
+from nppg.language_bias import LanguageBias
+from nppg.logic import Literal, Query, Var, variables
+from nppg.prolog import ask, drop_with
+from nppg.refinement import KIND, Refinement, Refiner
+
+WORD = 60  # tests in one integer: it stays a small one in Prolog
+
+
+class TestTable:
+    """The tests of a domain and bias that are compiled into Prolog clauses and asked together."""
+
+    __test__ = False  # it is no test case, whatever its name makes pytest think
+
+    def __init__(self, domain: Domain, bias: LanguageBias):
+        self.domain = domain
+        self.bias = bias
+        kinds = [[template.name, len(template.types)] for template in bias.actions]
+        goal = [bias.goal.name, len(bias.goal.types)] if bias.goal else []
+        self.name: str = ask("table", domain.module, kinds, goal)
+        drop_with(self, "table_drop", self.name)
+        self.tests: list[Query] = []
+        self._index: dict[Query, int] = {}
+        self._columns: dict[int, tuple[int, Sequence[Refinement], np.ndarray]] = {}
+
+    def __len__(self) -> int:
+        return len(self.tests)
+
+    def add(self, tests: Iterable[Query]) -> None:
+        """Adds what is not there yet."""
+        new = [test for test in dict.fromkeys(tests) if test not in self._index]
+        first = len(self.tests) // WORD
+        self._index |= {test: len(self.tests) + i for i, test in enumerate(new)}
+        self.tests += new
+        for word in range(first, -(-len(self.tests) // WORD)) if new else ():
+            for kind in range(len(self.bias.actions)):
+                chunk = [self._for_kind(test, kind) for test in self.tests[word * WORD : (word + 1) * WORD]]
+                ask("tests", self.name, kind, word, chunk)
+
+    def column(self, test: Query) -> int:
+        """The column of a test in what `answers` returns."""
+        return self._index[test]
+
+    def columns(self, candidates: Sequence[Refinement]) -> np.ndarray:
+        """The column of each candidate's test, -1 where the table does not have it."""
+        size, _, found = self._columns.get(id(candidates), (-1, None, np.empty(0, int)))
+        if size != len(self):
+            found = np.array([self._index.get(each.test, -1) for each in candidates], dtype=np.intp)
+            self._columns[id(candidates)] = (len(self), candidates, found)
+        return found
+
+    def _for_kind(self, test: Query, kind: int) -> list | str:
+        """The test as Prolog is asked it for one kind of action; no test about another kind's arguments holds."""
+        if test[0].name == KIND:
+            return [] if test[0].args[0] == kind else "false"
+        own = range(*self.bias.offsets[kind : kind + 2])
+        foreign = any(var.index < self.bias.offsets[-1] and var.index not in own for var in variables(test))
+        return "false" if foreign else encoded(test)
+
+    def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
+        """Booleans of shape (actions, tests)."""
+        self.domain.visit(state)
+        if not self.tests:
+            return np.zeros((len(actions), 0), bool)
+        _, words = ask("answers", self.name, actions)
+        return _bits(words, len(actions))[:, : len(self)]
+
+
+def encoded(query: Query) -> list:
+    """A query as the data that prolog/terms.pl reads."""
+    return [[name, *(arg.index if isinstance(arg, Var) else [arg] for arg in args)] for name, args in query]
+
+
+def _bits(words: list[int], rows: int) -> np.ndarray:
+    """Unpacks the words of each row, in order, to booleans of shape (rows, 60 * words per row)."""
+    array = np.array(words, dtype=np.int64).reshape(rows, -1, 1)
+    return ((array >> np.arange(WORD)) & 1).astype(bool).reshape(rows, -1)
+
+
+Known = Mapping[Query, np.ndarray]
+
+
+class Coverage:
+    """The answers of tests on a fixed list of examples.
+
+    `bits` holds the answers to the table's tests, one row per example; where it is not given it is asked for.
+    """
+
+    def __init__(
+        self,
+        table: TestTable,
+        states: Sequence[State],
+        actions: Sequence[Action],
+        bits: np.ndarray | None = None,
+    ):
+        self.table = table
+        self.states = states
+        self.actions = actions
+        self.bits = self._ask_table() if bits is None else bits
+        self._loaded = False
+
+    def _runs(self) -> list[tuple[int, int]]:
+        """The stretches of examples that stand in the same state."""
+        starts = [i for i, state in enumerate(self.states) if i == 0 or state is not self.states[i - 1]]
+        return list(zip(starts, [*starts[1:], len(self.states)], strict=True))
+
+    def _ask_table(self) -> np.ndarray:
+        rows = [self.table.answers(self.states[a], self.actions[a:b]) for a, b in self._runs()]
+        return np.concatenate(rows) if rows else np.empty((0, len(self.table)), bool)
+
+    def matrix(self, candidates: Sequence[Refinement], members: np.ndarray, known: Known) -> tuple[np.ndarray, Known]:
+        """Booleans of shape (members, candidates), and what is now known.
+
+        `members` are the indices of the examples on which the candidates' query holds; `known` holds the answers
+        that were asked for at the nodes above.
+        """
+        columns = self.table.columns(candidates)
+        if (columns >= 0).all():
+            return self.bits[members[:, None], columns], known
+        missing = [
+            each for each, column in zip(candidates, columns, strict=True) if column < 0 and each.test not in known
+        ]
+        if missing:
+            known = {**known, **self._ask(missing, members)}
+        result = np.empty((len(members), len(candidates)), bool)
+        for i, (each, column) in enumerate(zip(candidates, columns, strict=True)):
+            result[:, i] = self.bits[members, column] if column >= 0 else known[each.test][members]
+        return result, known
+
+    def _ask(self, candidates: Sequence[Refinement], members: np.ndarray) -> dict[Query, np.ndarray]:
+        self._load()
+        by_prefix: dict[Query, list[Refinement]] = {}
+        for each in candidates:
+            by_prefix.setdefault(each.prefix, []).append(each)
+        packs = [
+            (prefix, group[i : i + WORD]) for prefix, group in by_prefix.items() for i in range(0, len(group), WORD)
+        ]
+        self.table.domain.forget()
+        words = ask(
+            "cover",
+            self.table.name,
+            [[encoded(prefix), [encoded(each.literals) for each in pack]] for prefix, pack in packs],
+            members.tolist(),
+        )
+        bits = _bits(words, len(members)).reshape(len(members), len(packs), WORD)
+        answers = {}
+        for p, (_, pack) in enumerate(packs):
+            for i, each in enumerate(pack):
+                answers[each.test] = np.zeros(len(self.actions), bool)
+                answers[each.test][members] = bits[:, p, i]
+        return answers
+
+    def _load(self) -> None:
+        if not self._loaded:
+            runs = self._runs()
+            numbers = np.repeat(np.arange(len(runs)), [b - a for a, b in runs]).tolist()
+            pairs = [[number, action] for number, action in zip(numbers, self.actions, strict=True)]
+            self.table.domain.forget()
+            ask("examples", self.table.name, [self.states[a] for a, _ in runs], pairs)
+            self._loaded = True
+
+
+def root_table(domain: Domain, bias: LanguageBias, refiner: Refiner) -> TestTable:
+    """The table of the tests that any node may ask: the refinements of the empty query, of every kind of action."""
+    table = TestTable(domain, bias)
+    queries: list[Query] = [()]
+    if len(bias.actions) > 1:
+        queries += [(Literal(KIND, (kind,)),) for kind in range(len(bias.actions))]
+    table.add(each.test for query in queries for each in refiner.refinements(query))
+    return table

@@ -1,0 +1,132 @@
+"""A domain as Python sees it: states, legal actions, what they lead to.
+
+A state is a tuple of ground facts in Prolog's standard order; a fact or an action is a name, or a tuple of a
+name and its arguments: `on(a, b)` is `("on", "a", "b")`. docs/domains.md is the reference of domain files.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from nppg.errors import NppgError, Problem, suggestion
+from nppg.prolog import ask, drop_with, randomness, shipped
+
+Ground = str | int | float | tuple
+State = tuple[Ground, ...]
+Action = Ground
+
+
+class Situation(NamedTuple):
+    """What a state is: `running`, `goal` or `terminal`; and its legal actions, none unless it is running."""
+
+    status: str
+    actions: list[Action]
+
+
+class Outcome(NamedTuple):
+    """One of the states that an action may lead to."""
+
+    probability: float
+    state: State
+
+
+def locate(name: str | Path, folder: str, suffix: str) -> Path:
+    """The file of that path, or of that name among the shipped ones in `folder`."""
+    path = Path(name)
+    if path.is_file():
+        return path
+    candidate = shipped(folder) / f"{name}{suffix}"
+    if path.suffix == "" and candidate.is_file():
+        return candidate
+    known = sorted(each.stem for each in shipped(folder).glob(f"*{suffix}"))
+    hint = suggestion(str(name), known) or f"; shipped are: {', '.join(known)}"
+    raise NppgError([Problem(str(name), 0, 0, f"no such file{hint}")])
+
+
+class Domain:
+    """An instance of a domain file with its parameters; it has its own module in Prolog until it is dropped.
+
+    `name_or_path` is a shipped domain's name or a file. Raises NppgError with every mistake that can be found
+    in the file, and from all methods for mistakes that show only when the domain's code runs.
+    """
+
+    def __init__(self, name_or_path: str | Path, parameters: Mapping[str, int | float | str] | None = None):
+        self.path = locate(name_or_path, "domains", ".pl")
+        given = [[key, value] for key, value in (parameters or {}).items()]
+        self.module, entries = ask("load", str(self.path.resolve()), given)
+        drop_with(self, "unload", self.module)
+        description = dict(entries)
+        self.name: str = description["name"]
+        self.parameters: dict[str, int | float | str] = dict(description["parameters"])
+        self.fluents = {tuple(each) for each in description["fluents"]}
+        self.predicates = {tuple(each) for each in description["predicates"]}
+        self.actions = {tuple(each) for each in description["actions"]}
+        self.uniform_start: bool = description["uniform_start"] == "true"
+        self.interchangeable: list[str] = description["interchangeable"]
+        self.has_expert: bool = description["expert"] == "true"
+        self.has_goal: bool = description["goal"] == "true"
+        self._current: State | None = None
+
+    @property
+    def hash(self) -> str:
+        """SHA-256 of the file, in hexadecimal."""
+        return hashlib.sha256(self.path.read_bytes()).hexdigest()
+
+    def visit(self, state: State) -> None:
+        """Makes a state the current interpretation in Prolog."""
+        if state is not self._current:
+            self._current = None
+            ask("visit", self.module, state)
+            self._current = state
+
+    def forget(self) -> None:
+        """To be called by who makes another state current behind this object's back."""
+        self._current = None
+
+    def start(self, rng: np.random.Generator) -> State:
+        """Draws a start state."""
+        self._current = None
+        with randomness(rng):
+            self._current = tuple(ask("draw", self.module))
+        return self._current
+
+    def situation(self, state: State) -> Situation:
+        """Whether the state ends an episode, and its legal actions in a fixed order."""
+        self.visit(state)
+        return Situation(*ask("situation", self.module))
+
+    def horizon(self, state: State) -> int:
+        """The number of steps after which an episode that starts here ends."""
+        self.visit(state)
+        return ask("horizon_of", self.module)
+
+    def expert_actions(self, state: State) -> list[Action]:
+        """What the domain's expert would do, none if it has no advice."""
+        self.visit(state)
+        return ask("expert_actions", self.module)
+
+    def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]:
+        """Takes an action: the reward, and the state that it leads to."""
+        self.visit(state)
+        self._current = None
+        with randomness(rng):
+            reward, facts = ask("act", self.module, action)
+        self._current = tuple(facts)
+        return reward, self._current
+
+    def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
+        """Every legal action, also of a goal or terminal state, with all its outcomes."""
+        self.visit(state)
+        return [
+            (action, [Outcome(probability, tuple(facts)) for probability, facts in outcomes])
+            for action, outcomes in ask("neighbours", self.module)
+        ]
+
+    def members(self, predicate: str) -> list[Ground]:
+        """All X for which predicate(X) holds in the current state, sorted."""
+        return ask("members", self.module, predicate)

@@ -1,0 +1,39 @@
+"""Returns, the Gibbs distribution and the functional gradient; NumPy only."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+
+def returns(rewards: Sequence[float], discount: float) -> np.ndarray:
+    """The Monte Carlo estimate of Q for each step: Q_t = r_t + discount * Q_{t+1}, 0 behind the last."""
+    result = np.zeros(len(rewards))
+    following = 0.0
+    for t in range(len(rewards) - 1, -1, -1):
+        following = rewards[t] + discount * following
+        result[t] = following
+    return result
+
+
+def gibbs(potentials: np.ndarray) -> np.ndarray:
+    """pi(s, a) = exp Psi(s, a) / sum_b exp Psi(s, b), for the potentials of a state's actions."""
+    weights = np.exp(potentials - potentials.max())
+    return weights / weights.sum()
+
+
+def functional_gradient(probabilities: np.ndarray, chosen: int, value: float) -> np.ndarray:
+    """The point-wise gradient of a step for every legal action b (Kersting and Driessens 2008, Proposition 3.1):
+
+    value * d pi(s, a) / d Psi(s, b), with pi(s, a) (1 - pi(s, a)) for b = a, -pi(s, a) pi(s, b) for the others.
+    The result sums to zero.
+    """
+    gradient = -probabilities[chosen] * probabilities
+    gradient[chosen] += probabilities[chosen]
+    return value * gradient
+
+
+def taken_gradient(probabilities: np.ndarray, chosen: int, value: float) -> float:
+    """The gradient at the action taken alone, divided by its probability (the paper's footnote 2)."""
+    return value * (1.0 - probabilities[chosen])

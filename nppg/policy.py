@@ -1,0 +1,107 @@
+"""The policy: a Gibbs distribution over a potential that is a sum of relational regression trees."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from nppg.clauses import to_clause
+from nppg.coverage import TestTable
+from nppg.domain import Action, Domain, State
+from nppg.forest import Forest
+from nppg.gradient import gibbs
+from nppg.language_bias import LanguageBias
+from nppg.prolog import ask, drop_with
+from nppg.tree import Leaf, Node, Tree, leaves, rules
+
+
+class Policy:
+    """Psi_m = Psi_{m-1} + eta_m h_m, and pi(s, a) = exp Psi(s, a) / sum_b exp Psi(s, b).
+
+    The trees are stored in Prolog as clauses; `potentials` is their sum, by way of each pair's answers to the
+    tests of `table` (see nppg.forest), `prolog_potentials` asks the clauses themselves.
+    """
+
+    def __init__(self, domain: Domain, bias: LanguageBias, table: TestTable | None = None):
+        self.domain = domain
+        self.bias = bias
+        self.table = table or TestTable(domain, bias)
+        self.trees: list[Tree] = []
+        self.comments: list[str] = []
+        self.name: str = ask("policy", domain.module)
+        drop_with(self, "policy_drop", self.name)
+        self._forest = Forest()
+
+    def add(self, tree: Tree, step_size: float = 1.0, comment: str = "") -> None:
+        """Adds step_size * tree to the potential."""
+        scaled = _scaled(tree, step_size)
+        ask("tree", self.name, [to_clause(rule, self.bias) for rule in rules(scaled)])
+        self.table.add(_tests(scaled))
+        self._forest.add(scaled, self.table.column)
+        self.trees.append(scaled)
+        self.comments.append(comment or f"{leaves(tree)} leaves")
+
+    def potentials(self, state: State, actions: Sequence[Action]) -> np.ndarray:
+        """Psi(s, a) of each action, shape (actions,)."""
+        return self.potentials_of(self.table.answers(state, actions))
+
+    def potentials_of(self, answers: np.ndarray) -> np.ndarray:
+        """The potentials of pairs with these answers to the table's tests, shape (pairs,)."""
+        return self._forest.sums(answers)
+
+    def prolog_potentials(self, state: State, actions: Sequence[Action]) -> np.ndarray:
+        """Psi(s, a) summed clause by clause in Prolog."""
+        self.domain.visit(state)
+        return np.array(ask("potentials", self.name, actions))
+
+    def distribution(self, state: State, actions: Sequence[Action]) -> np.ndarray:
+        """pi(s, a) of each action, shape (actions,)."""
+        return gibbs(self.potentials(state, actions))
+
+    def act(self, state: State, rng: np.random.Generator, greedy: bool = False) -> Action:
+        """Draws a legal action from the distribution, or one of the most probable ones. Raises NppgError where
+        there is none."""
+        actions = self.domain.situation(state).actions
+        return actions[choose(self.distribution(state, actions), rng, greedy)]
+
+    def rules(self, tree: int) -> list[str]:
+        """The clauses of a tree (from 1), one line each."""
+        return ask("rules", self.name, tree)
+
+    def save(self, path: str | Path, facts: Sequence[tuple] = ()) -> None:
+        """Writes a model file, with `facts` in its head: pairs of a name and a term. See nppg.model."""
+        from nppg.model import write
+
+        write(self, Path(path), facts)
+
+    @classmethod
+    def load(cls, path: str | Path, parameters: dict | None = None) -> Policy:
+        """Reads a model file, as data. `parameters` change those of its domain. Raises NppgError."""
+        from nppg.model import read
+
+        return read(Path(path), parameters or {})
+
+
+def choose(probabilities: np.ndarray, rng: np.random.Generator, greedy: bool = False) -> int:
+    """Draws an index by its probability; greedy: one of the most probable, each as likely as the others."""
+    if greedy:
+        best = np.flatnonzero(is_best(probabilities))
+        return int(best[int(rng.random() * len(best))])
+    return int(min(np.searchsorted(probabilities.cumsum(), rng.random(), side="right"), len(probabilities) - 1))
+
+
+def is_best(probabilities: np.ndarray) -> np.ndarray:
+    """Which probabilities are the highest, but for rounding."""
+    return probabilities >= probabilities.max() * (1 - 1e-9)
+
+
+def _scaled(tree: Tree, factor: float) -> Tree:
+    if isinstance(tree, Leaf):
+        return Leaf(float(tree.value * factor), tree.examples)
+    return Node(tree.literals, tree.tests, _scaled(tree.yes, factor), _scaled(tree.no, factor))
+
+
+def _tests(tree: Tree) -> list:
+    return [] if isinstance(tree, Leaf) else [*tree.tests, *_tests(tree.yes), *_tests(tree.no)]

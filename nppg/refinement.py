@@ -1,0 +1,144 @@
+"""The refinement operator under θ-subsumption.
+
+A refinement of a query adds a literal that a mode declaration allows (with lookahead, several at once),
+unifies two of its variables, or grounds one; the last two are literals of `=`. No refinement is equivalent
+to the query itself or to another one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+
+from nppg.language_bias import LanguageBias, Mode
+from nppg.logic import Literal, Query, Term, Var, components, normal_form, subsumes, variables
+
+KIND = "$action"
+_MEMORY = 20_000
+
+
+@dataclass(frozen=True, slots=True)
+class Refinement:
+    """One candidate test of a node.
+
+    Where the node's query holds, `literals` extend it to a query that holds exactly if `test` does: the
+    component that they are part of, in normal form. `prefix` is that component without them.
+    """
+
+    literals: Query
+    test: Query
+    prefix: Query
+
+
+class Refiner:
+    """The refinements of queries under a language bias; remembers what it has computed."""
+
+    def __init__(self, bias: LanguageBias):
+        self.bias = bias
+        self.root_count = len(bias.roots)
+        self._by_query: dict[Query, tuple[Refinement, ...]] = {}
+        self._by_core: dict[Query, tuple[Refinement, ...]] = {}
+
+    def refinements(self, query: Query) -> tuple[Refinement, ...]:
+        """All refinements of an associated query, in the order of the mode declarations."""
+        found = self._by_query.get(query)
+        if found is None:
+            core = tuple(literal for literal in query if self._matters(literal))
+            if core not in self._by_core:
+                self._by_core[core] = tuple(self._distinct(core))
+            found = tuple(each for each in self._by_core[core] if self._adds(each, query))
+            if len(self._by_query) >= _MEMORY:
+                self._by_query.clear()
+            self._by_query[query] = found
+        return found
+
+    def _matters(self, literal: Literal) -> bool:
+        """Whether what can be added depends on the literal."""
+        return literal.name in ("=", KIND) or self._is_existential(literal)
+
+    def _is_existential(self, literal: Literal) -> bool:
+        return any(var.index >= self.root_count for var in literal.variables())
+
+    def _adds(self, refinement: Refinement, query: Query) -> bool:
+        """Whether the refinement is more special than the query."""
+        return not subsumes(refinement.literals, query, self._first_new(refinement, query))
+
+    def _first_new(self, refinement: Refinement, query: Query) -> int:
+        return max([self.root_count - 1, *(var.index for var in variables(query))]) + 1
+
+    def _distinct(self, core: Query) -> Iterator[Refinement]:
+        seen = {normal_form(core, self.root_count), None}
+        existential = tuple(literal for literal in core if self._is_existential(literal))
+        for literals in self._extensions(core):
+            form = normal_form(core + literals, self.root_count)
+            if form not in seen:
+                seen.add(form)
+                parts = components(existential + literals, self.root_count)
+                own = next(part for part in parts if literals[0] in part)
+                test = normal_form(own, self.root_count)
+                assert test is not None
+                yield Refinement(literals, test, tuple(literal for literal in own if literal not in literals))
+
+    def _extensions(self, core: Query) -> Iterator[Query]:
+        kinds = self.bias.actions
+        asked = [literal.args[0] for literal in core if literal.name == KIND]
+        if len(kinds) > 1 and not asked:
+            yield from ((Literal(KIND, (kind,)),) for kind in range(len(kinds)))
+        types = self._typed_variables(core)
+        for mode in self.bias.modes:
+            for literal in self._literals(mode, types):
+                yield (literal,)
+                yield from self._lookahead((literal,), types, min(mode.lookahead, self.bias.max_lookahead))
+
+    def _lookahead(self, literals: Query, types: dict[Var, str], steps: int) -> Iterator[Query]:
+        """The literals with up to `steps` more behind them, each about a variable that they introduce."""
+        new = {var for literal in literals for var in literal.variables()} - types.keys()
+        if steps == 0 or not new:
+            return
+        extended = self._with_types(types, literals)
+        for mode in self.bias.modes:
+            for literal in self._literals(mode, extended):
+                if literal not in literals and new & set(literal.variables()):
+                    yield (*literals, literal)
+                    yield from self._lookahead((*literals, literal), types, steps - 1)
+
+    def _typed_variables(self, core: Query) -> dict[Var, str]:
+        """The variables that a literal may use. The arguments of an action are there once its kind is known."""
+        kinds = self.bias.actions
+        known = [literal.args[0] for literal in core if literal.name == KIND] if len(kinds) > 1 else [0]
+        types = {}
+        for kind, start in enumerate(self.bias.offsets):
+            length = len(kinds[kind].types) if kind < len(kinds) else len(self.bias.roots) - start
+            if kind in known or kind == len(kinds):
+                types |= {Var(start + i): self.bias.roots[start + i] for i in range(length)}
+        return self._with_types(types, core)
+
+    def _with_types(self, types: dict[Var, str], literals: Query) -> dict[Var, str]:
+        """Adds the existential variables with the types of the places that introduce them."""
+        types = dict(types)
+        for name, args in literals:
+            for arg, type_ in zip(args, self.bias.types.get(name, ()), strict=False):
+                if isinstance(arg, Var) and arg.index >= self.root_count:
+                    types.setdefault(arg, type_)
+        return types
+
+    def _literals(self, mode: Mode, types: dict[Var, str]) -> Iterator[Literal]:
+        """What one mode declaration allows; no literal takes a variable twice."""
+        first = max([self.root_count - 1, *(var.index for var in types)]) + 1
+        room = self.bias.max_variables - (first - self.root_count)
+        choices: list[list[Term | None]] = []
+        for arg in mode.args:
+            if arg.kind == "#":
+                choices.append(list(arg.constants))
+                continue
+            old: list[Term | None] = [var for var, type_ in types.items() if self.bias.fits(type_, arg.type)]
+            choices.append({"+": old, "-": [None], "+-": [*old, None]}[arg.kind])
+        for choice in product(*choices):
+            fresh = iter(range(first, first + len(choice)))
+            args = tuple(Var(next(fresh)) if term is None else term for term in choice)
+            taken = [arg for arg in args if isinstance(arg, Var)]
+            if choice.count(None) > room or len(set(taken)) < len(taken):
+                continue
+            if mode.name != "=" or not isinstance(args[1], Var) or taken == sorted(taken):
+                yield Literal(mode.name, args)

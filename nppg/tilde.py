@@ -1,0 +1,126 @@
+"""TILDE: top-down induction of relational regression trees (Blockeel and De Raedt 1998).
+
+Usable on its own: `fit(examples, domain, bias)` grows a tree from states and actions with real targets.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from nppg.coverage import Coverage, Known, root_table
+from nppg.domain import Action, Domain, State
+from nppg.language_bias import LanguageBias, TreeLimits
+from nppg.logic import Query
+from nppg.refinement import Refiner
+from nppg.tree import Leaf, Node, Tree
+
+_TIE = 1e-9  # gains this near to the best one, relatively, count as equal: the first candidate wins
+
+
+class Example(NamedTuple):
+    """A state, an action in it and a real target."""
+
+    state: State
+    action: Action
+    value: float
+
+
+def fit(examples: Sequence[Example], domain: Domain, bias: LanguageBias) -> Tree:
+    """Grows a tree from examples; those of one state should stand together. Limits are the bias's."""
+    refiner = Refiner(bias)
+    states, actions = [each.state for each in examples], [each.action for each in examples]
+    coverage = Coverage(root_table(domain, bias, refiner), states, actions)
+    return grow(np.array([each.value for each in examples], float), coverage, refiner, bias.tree)
+
+
+def grow(targets: np.ndarray, coverage: Coverage, refiner: Refiner, limits: TreeLimits) -> Tree:
+    """Grows a tree for one target per example of `coverage`."""
+
+    def node(query: Query, members: np.ndarray, known: Known, depth: int) -> Tree:
+        values = targets[members]
+        leaf = Leaf(math.fsum(values) / max(len(values), 1), len(values))
+        if depth == limits.max_depth or len(values) < 2 * limits.min_examples or _variance(values) < limits.min_variance:
+            return leaf
+        candidates = refiner.refinements(query)
+        answers, known = coverage.matrix(candidates, members, known)
+        best = best_split(answers, values, limits)
+        if best is None:
+            return leaf
+        chosen, covered = candidates[best], answers[:, best]
+        return Node(
+            chosen.literals,
+            (chosen.test,),
+            node(query + chosen.literals, members[covered], known, depth + 1),
+            node(query, members[~covered], known, depth + 1),
+        )
+
+    return node((), np.arange(len(targets)), {}, 0)
+
+
+def best_split(answers: np.ndarray, values: np.ndarray, limits: TreeLimits) -> int | None:
+    """The candidate that reduces the weighted variance most, or None if none may split.
+
+    `answers` has shape (examples, candidates). The reduction of the sum of squares is
+    s1^2 / n1 + s0^2 / n0 - s^2 / n with the sums s and counts n of the two branches. Sums run down the columns
+    in a fixed order, so that the outcome does not depend on the machine's linear algebra.
+    """
+    count = len(values)
+    weights = answers.astype(float)
+    n1 = weights.sum(axis=0)
+    s1 = (weights * values[:, None]).sum(axis=0)
+    total = values.sum()
+    n0, s0 = count - n1, total - s1
+    allowed = (n1 >= limits.min_examples) & (n0 >= limits.min_examples)
+    if not allowed.any():
+        return None
+    gain = s1**2 / np.maximum(n1, 1) + s0**2 / np.maximum(n0, 1) - total**2 / count
+    gain[~allowed] = -np.inf
+    top = gain.max()
+    best = int(np.argmax(gain >= top - _TIE * abs(top)))
+    squares = _variance(values) * count
+    return best if _is_significant(float(gain[best]), squares, count, limits.significance) else None
+
+
+def _variance(values: np.ndarray) -> float:
+    mean = values.sum() / len(values)
+    return float(((values - mean) ** 2).sum() / len(values))
+
+
+def _is_significant(gain: float, squares: float, count: int, level: float) -> bool:
+    """The F-test of regression trees, F(1, n - 2) = (n - 2) gain / (squares - gain); level 1 accepts any gain."""
+    if gain < 1e-9:
+        return False
+    if level == 1.0:
+        return True
+    rest = squares - gain
+    return count > 2 and (rest <= 0 or f_test((count - 2) * gain / rest, count - 2) <= level)
+
+
+def f_test(f: float, degrees: int) -> float:
+    """P(F(1, degrees) > f), by the regularised incomplete beta function I_x(degrees / 2, 1 / 2) at
+    x = degrees / (degrees + f)."""
+    return _incomplete_beta(degrees / 2, 0.5, degrees / (degrees + f))
+
+
+def _incomplete_beta(a: float, b: float, x: float) -> float:
+    """I_x(a, b) by its continued fraction (Abramowitz and Stegun 26.5.8), evaluated by Lentz's method."""
+    if x <= 0 or x >= 1:
+        return float(x >= 1)
+    if x > (a + 1) / (a + b + 2):
+        return 1 - _incomplete_beta(b, a, 1 - x)
+    log_front = math.lgamma(a + b) - math.lgamma(a) - math.lgamma(b) + a * math.log(x) + b * math.log1p(-x)
+    c, d, fraction = 1.0, 1 / (1 - (a + b) * x / (a + 1)), 1 / (1 - (a + b) * x / (a + 1))
+    for m in range(1, 400):
+        for term in (
+            m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m)),
+            -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1)),
+        ):
+            d, c = 1 / (1 + term * d), 1 + term / c
+            fraction *= c * d
+        if abs(c * d - 1) < 1e-14:
+            break
+    return math.exp(log_front) * fraction / a
