@@ -13,20 +13,11 @@ clear(X) :- on(X, _), \+ on(_, X).
 
 above(X, Y) :- on(X, Z), ( Z = Y ; above(Z, Y) ).
 
-% compheight(X, Y, C): X compared with Y is higher, same or lower; the floor has height 0.
+% compheight(X, Y, C): X compared with Y is higher, same or lower above the floor, which is lowest.
 
-compheight(X, Y, Comparison) :-
-    height(X, HX),
-    height(Y, HY),
-    compare(Order, HX, HY),
-    comparison(Order, Comparison).
-
-comparison(>, higher).
-comparison(=, same).
-comparison(<, lower).
-
-height(floor, 0) :- !.
-height(X, H) :- on(X, Y), height(Y, H0), H is H0 + 1.
+compheight(floor, Y, C) :- !, ( Y == floor -> C = same ; C = lower ).
+compheight(_, floor, C) :- !, C = higher.
+compheight(X, Y, C)     :- on(X, BelowX), on(Y, BelowY), compheight(BelowX, BelowY, C).
 
 action(move(X, floor)) :- clear(X), \+ on(X, floor).
 action(move(X, Y))     :- clear(X), clear(Y), X \== Y.

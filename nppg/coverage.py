@@ -21,6 +21,27 @@ from nppg.refinement import KIND, Refinement, Refiner
 WORD = 60  # tests in one integer: it stays a small one in Prolog
 
 
+class _Groups:
+    """The tests of one kind of action, by the arguments that they are about, and where their answers stand."""
+
+    def __init__(self) -> None:
+        self.columns: dict[tuple[int, ...], list[int]] = {}
+        self.always: list[int] = []
+        self.words = 0
+        self.places: np.ndarray = np.empty(0, np.intp)  # of the bits of `order` in a row of words
+        self.order: np.ndarray = np.empty(0, np.intp)  # columns
+
+    def update(self) -> None:
+        """To be called after columns have been added."""
+        places: list[int] = []
+        self.words = 0
+        for columns in self.columns.values():
+            places += range(self.words * WORD, self.words * WORD + len(columns))
+            self.words += -(-len(columns) // WORD)
+        self.places = np.array(places, np.intp)
+        self.order = np.array([each for columns in self.columns.values() for each in columns], np.intp)
+
+
 class TestTable:
     """The tests of a domain and bias that are compiled into Prolog clauses and asked together."""
 
@@ -35,6 +56,7 @@ class TestTable:
         drop_with(self, "table_drop", self.name)
         self.tests: list[Query] = []
         self._index: dict[Query, int] = {}
+        self._groups = [_Groups() for _ in bias.actions]
         self._columns: dict[int, tuple[int, Sequence[Refinement], np.ndarray]] = {}
 
     def __len__(self) -> int:
@@ -42,14 +64,31 @@ class TestTable:
 
     def add(self, tests: Iterable[Query]) -> None:
         """Adds what is not there yet."""
-        new = [test for test in dict.fromkeys(tests) if test not in self._index]
-        first = len(self.tests) // WORD
-        self._index |= {test: len(self.tests) + i for i, test in enumerate(new)}
-        self.tests += new
-        for word in range(first, -(-len(self.tests) // WORD)) if new else ():
-            for kind in range(len(self.bias.actions)):
-                chunk = [self._for_kind(test, kind) for test in self.tests[word * WORD : (word + 1) * WORD]]
-                ask("tests", self.name, kind, word, chunk)
+        touched = set()
+        for test in tests:
+            if test in self._index:
+                continue
+            column = self._index[test] = len(self.tests)
+            self.tests.append(test)
+            for kind, groups in enumerate(self._groups):
+                arguments = self._arguments(test, kind)
+                if test[0].name == KIND:
+                    groups.always += [column] if test[0].args[0] == kind else []
+                elif arguments is not None:
+                    groups.columns.setdefault(arguments, []).append(column)
+                    touched.add((kind, arguments))
+        for kind, arguments in sorted(touched):
+            groups = self._groups[kind]
+            tests = [encoded(self.tests[column]) for column in groups.columns[arguments]]
+            words = [tests[i : i + WORD] for i in range(0, len(tests), WORD)]
+            ask("tests", self.name, kind, [list(groups.columns).index(arguments), [i + 1 for i in arguments]], words)
+            groups.update()
+
+    def _arguments(self, test: Query, kind: int) -> tuple[int, ...] | None:
+        """The action's arguments that the test is about; None if some are another kind's, so that it never holds."""
+        own = range(*self.bias.offsets[kind : kind + 2])
+        used = sorted({var.index for var in variables(test) if var.index < self.bias.offsets[-1]})
+        return tuple(used) if all(index in own for index in used) else None
 
     def column(self, test: Query) -> int:
         """The column of a test in what `answers` returns."""
@@ -63,21 +102,26 @@ class TestTable:
             self._columns[id(candidates)] = (len(self), candidates, found)
         return found
 
-    def _for_kind(self, test: Query, kind: int) -> list | str:
-        """The test as Prolog is asked it for one kind of action; no test about another kind's arguments holds."""
-        if test[0].name == KIND:
-            return [] if test[0].args[0] == kind else "false"
-        own = range(*self.bias.offsets[kind : kind + 2])
-        foreign = any(var.index < self.bias.offsets[-1] and var.index not in own for var in variables(test))
-        return "false" if foreign else encoded(test)
-
     def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """Booleans of shape (actions, tests)."""
         self.domain.visit(state)
-        if not self.tests:
-            return np.zeros((len(actions), 0), bool)
-        _, words = ask("answers", self.name, actions)
-        return _bits(words, len(actions))[:, : len(self)]
+        kinds, words = ask("answers", self.name, actions)
+        if len(self._groups) == 1:
+            kinds = [0]
+        result = np.zeros((len(actions), len(self)), bool)
+        lengths = [groups.words for groups in self._groups]
+        ends = np.cumsum([lengths[kind] for kind in kinds]) if len(set(kinds)) > 1 else None
+        for kind in set(kinds):
+            groups = self._groups[kind]
+            if ends is None:
+                members, own = np.arange(len(actions)), words
+            else:
+                members = np.flatnonzero(np.array(kinds) == kind)
+                own = [word for i in members for word in words[ends[i] - groups.words : ends[i]]]
+            if groups.words:
+                result[members[:, None], groups.order] = _bits(own, len(members))[:, groups.places]
+            result[members[:, None], groups.always] = True
+        return result
 
 
 def encoded(query: Query) -> list:
@@ -170,7 +214,7 @@ class Coverage:
             numbers = np.repeat(np.arange(len(runs)), [b - a for a, b in runs]).tolist()
             pairs = [[number, action] for number, action in zip(numbers, self.actions, strict=True)]
             self.table.domain.forget()
-            ask("examples", self.table.name, [self.states[a] for a, _ in runs], pairs)
+            ask("examples", self.table.name, [list(self.states[a]) for a, _ in runs], pairs)
             self._loaded = True
 
 

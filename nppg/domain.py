@@ -81,7 +81,7 @@ class Domain:
         """Makes a state the current interpretation in Prolog."""
         if state is not self._current:
             self._current = None
-            ask("visit", self.module, state)
+            ask("visit", self.module, list(state))
             self._current = state
 
     def forget(self) -> None:

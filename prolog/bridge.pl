@@ -37,10 +37,6 @@ ask(Name, Args, Answer) :-
         Answer = -(0, [-('', 0, 0, Message)])
     ).
 
-:- dynamic busy/0.
-
-%   halt/0 in a domain must not end Python.
-
 load(File, Parameters, [Module, Description]) :-
     load_domain(File, Parameters, Module, Description).
 
@@ -83,24 +79,30 @@ situation(Module, [Status, Data]) :-
     ;   Data = []
     ).
 
-%!  legal(+Module, -Actions) is det: also in a goal or terminal state.
-
-legal(Module, Data) :-
-    actions(Module, Actions),
-    maplist(encode, Actions, Data).
-
 expert_actions(Module, Data) :-
     experts(Module, Actions),
     maplist(encode, Actions, Data).
 
-%!  successors(+Module, +Action, -Outcomes) is det: a list of [Probability, Facts].
+%!  neighbours(+Module, -Neighbours) is det.
+%
+%   A list of [Action, Outcomes] for all legal actions, also in a goal or terminal state; an outcome is
+%   [Probability, Facts].
 
-successors(Module, ActionData, Data) :-
-    decode(ActionData, Action),
+neighbours(Module, Neighbours) :-
+    actions(Module, Actions),
+    findall([Data, Outcomes],
+            ( member(Action, Actions), encode(Action, Data), encoded_outcomes(Module, Action, Outcomes) ),
+            Neighbours).
+
+encoded_outcomes(Module, Action, Data) :-
     outcomes(Module, Action, Outcomes),
     findall([Probability, Facts],
             ( member(Probability-Terms, Outcomes), maplist(encode, Terms, Facts) ),
             Data).
+
+members(Module, Predicate, Data) :-
+    objects(Module, Predicate, Objects),
+    maplist(encode, Objects, Data).
 
 %!  act(+Module, +Action, -Answer) is det.
 %
@@ -127,18 +129,14 @@ pick([Probability-Facts|Outcomes], Float, Chosen) :-
         pick(Outcomes, Rest, Chosen)
     ).
 
-reward_of(Module, ActionData, Reward) :-
-    decode(ActionData, Action),
-    reward(Module, Action, Reward).
-
 table(Module, Kinds, Goal, Table) :-
     new_table(Module, Kinds, Goal, Table).
 
 table_drop(Table, true) :-
     drop_table(Table).
 
-tests(Table, Kind, Word, Tests, true) :-
-    set_word(Table, Kind, Word, Tests).
+tests(Table, Kind, Group, Words, true) :-
+    set_tests(Table, Kind, Group, Words).
 
 answers(Table, Data, [Kinds, Words]) :-
     maplist(decode, Data, Actions),

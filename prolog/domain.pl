@@ -8,6 +8,7 @@
             horizon/2,           % +Module, -Steps               det
             outcomes/3,          % +Module, +Action, -Outcomes   det
             reward/3,            % +Module, +Action, -Reward     det
+            objects/3,           % +Module, +Predicate, -Objects  det
             binding/4            % +Module, +Name, +Arity, -Values  det
           ]).
 
@@ -246,11 +247,19 @@ description(Module, _, actions, Actions) :-
     sort(Found, Sorted),
     findall([Name, Arity], member(Name-Arity, Sorted), Actions).
 description(Module, _, uniform_start, Uniform) :-
-    ( declared(Module, nppg_uniform_start) -> Uniform = true ; Uniform = false ).
+    truth(declared(Module, nppg_uniform_start), Uniform).
 description(Module, _, interchangeable, Names) :-
     findall(Name, declared(Module, nppg_interchangeable(Name/1)), Names).
 description(Module, _, expert, Expert) :-
-    ( defined(Module, expert/1) -> Expert = true ; Expert = false ).
+    truth(defined(Module, expert/1), Expert).
+description(Module, _, goal, Goal) :-
+    truth(defined(Module, goal/0), Goal).
+
+truth(Goal, Truth) :-
+    (   call(Goal)
+    ->  Truth = true
+    ;   Truth = false
+    ).
 
 %!  start(+Module, -Facts) is det.
 %
@@ -379,6 +388,15 @@ reward(Module, Action, Reward) :-
     ->  Reward = 1
     ;   Reward = 0
     ).
+
+%!  objects(+Module, +Predicate, -Objects) is det.
+%
+%   All X with Predicate(X) in the current state, sorted.
+
+objects(Module, Predicate, Objects) :-
+    Goal =.. [Predicate, Object],
+    guarded_findall(Object, Module:(Predicate/1), Module:Goal, Found),
+    sort(Found, Objects).
 
 %!  binding(+Module, +Name, +Arity, -Values) is det.
 %

@@ -1,14 +1,14 @@
 :- module(nppg_query_pack,
           [ new_table/4,         % +Module, +Kinds, +Goal, -Table             det
             drop_table/1,        % +Table                                     det
-            set_word/4,          % +Table, +Kind, +Word, +Tests               det
+            set_tests/4,         % +Table, +Kind, +Group, +Words              det
             rows/4,              % +Table, +Actions, -Kinds, -Words           det
             load_examples/3,     % +Table, +States, +Examples                 det
             coverage/4           % +Table, +Packs, +Examples, -Words          det
           ]).
 
-:- use_module(library(apply), [foldl/4]).
-:- use_module(library(lists), [append/3, member/2, nth0/3]).
+:- use_module(library(apply), [foldl/4, maplist/4]).
+:- use_module(library(lists), [append/3, member/2, memberchk/2, nth0/3, selectchk/3]).
 :- use_module(domain).
 :- use_module(guard).
 :- use_module(interpretation).
@@ -20,8 +20,9 @@ A test is a conjunction over the root variables of an example, the arguments of 
 goal, and over existential variables of its own. The answers to up to 60 tests are the bits of one word.
 
 A *table* keeps tests that are asked again and again: those without a shared prefix. They are compiled into
-one clause per word, in a module that sees the domain. Where a domain has several kinds of actions, each
-kind has its own clause, in which tests about another kind's arguments are false.
+one clause per word, in a module that sees the domain. A kind of action has its own clauses. The tests about the
+same arguments of the action form a group: a group is asked once for all actions of a state that agree in those
+arguments, so tests about the goal's objects alone are asked once in a state.
 
 A *pack* (Blockeel et al. 2002) is the set of a node's tests that extend one part of its query: that prefix
 runs once, and a test that has succeeded is not tried again.
@@ -31,7 +32,8 @@ runs once, and a test that has succeeded is not tried again.
     layout/4,                    % Table, Module, Kinds, Goal
     tables/1,
     state/3,                     % Table, Number, Facts
-    example/4.                   % Table, Number, State, Roots
+    example/4,                   % Table, Number, State, Roots
+    groups/3.                    % Table, Kind, Groups: of group(Key, End, Positions)
 tables(0).
 
 %!  new_table(+Module, +Kinds, +Goal, -Table) is det.
@@ -50,6 +52,7 @@ new_table(Module, Kinds, Goal, Table) :-
 
 drop_table(Table) :-
     retractall(layout(Table, _, _, _)),
+    retractall(groups(Table, _, _)),
     drop_examples(Table),
     retractall(Table:row(_, _, _)).
 
@@ -64,18 +67,33 @@ root_count(Table, Count) :-
 add_arity([_, Arity], Sum0, Sum) :-
     Sum is Sum0+Arity.
 
-%!  set_word(+Table, +Kind, +Word, +Tests) is det.
+%!  set_tests(+Table, +Kind, +Group, +Words) is det.
 %
-%   Compiles at most 60 tests into the clause that answers them for actions of one kind. A test is a list of
-%   literals as data, or `false`.
+%   Compiles the tests of a group, which replace those it had. Group is [Number, Positions]: the positions of
+%   the root variables that it is about. Words is a list of lists of at most 60 tests, a test a list of
+%   literals as data. Groups are numbered from 0, and new ones come behind the others.
 
-set_word(Table, Kind, Word, Tests) :-
+set_tests(Table, Kind, [Number, Positions], Words) :-
     root_count(Table, Count),
+    Key is (Kind*1000 + Number)*1000,
+    foldl(set_word(Table, Count), Words, Key, End),
+    (   retract(groups(Table, Kind, Old))
+    ->  true
+    ;   Old = []
+    ),
+    (   selectchk(group(Key, _, _), Old, Others)
+    ->  true
+    ;   Others = Old
+    ),
+    sort([group(Key, End, Positions)|Others], Groups),
+    assertz(groups(Table, Kind, Groups)).
+
+set_word(Table, Count, Tests, Key, Next) :-
     functor(Roots, roots, Count),
     foldl(test_bit(Roots), Tests, bits(1, 0, true), bits(_, Bits, Body)),
-    Key is Kind*1000+Word,
     retractall(Table:row(Key, _, _)),
-    compiled(Table, (row(Key, Roots, Bits) :- Body)).
+    compiled(Table, (row(Key, Roots, Bits) :- Body)),
+    Next is Key+1.
 
 compiled(Table, Clause) :-
     current_prolog_flag(optimise, Old),
@@ -86,12 +104,8 @@ compiled(Table, Clause) :-
 
 test_bit(Roots, Test, bits(Bit, Bits0, Body), bits(NextBit, Bits, Extended)) :-
     NextBit is Bit*2,
-    (   Test == false
-    ->  Bits = Bits0,
-        Extended = Body
-    ;   test_goal(Roots, Test, Goal),
-        Extended = (Body, ( Goal -> Bits is Bits0+Bit ; Bits = Bits0 ))
-    ).
+    test_goal(Roots, Test, Goal),
+    Extended = (Body, ( Goal -> Bits is Bits0+Bit ; Bits = Bits0 )).
 
 %   Each test gets fresh existential variables.
 
@@ -119,9 +133,11 @@ share(N, Count, Roots, Variables) :-
     Next is N+1,
     share(Next, Count, Roots, Variables).
 
-%!  roots(+Table, +Action, +GoalValues, -Kind, -Roots) is det.
+%!  roots(+Table, +GoalValues, +Action, -Kind, -Roots) is det.
+%
+%   The values of the root variables; the arguments of other kinds of actions stay unbound.
 
-roots(Table, Action, GoalValues, Kind, Roots) :-
+roots(Table, GoalValues, Action, Kind, Roots) :-
     layout(Table, Module, Kinds, _),
     Action =.. [Name|Args],
     length(Args, Arity),
@@ -156,44 +172,81 @@ goal_values(Table, Values) :-
 
 rows(Table, Actions, Kinds, Words) :-
     goal_values(Table, GoalValues),
-    phrase(action_rows(Actions, Table, GoalValues, Kinds), Words).
+    maplist(roots(Table, GoalValues), Actions, Kinds, AllRoots),
+    layout(Table, Module, _, _),
+    catch(guarded(Module:test/0, action_rows(Kinds, AllRoots, Table, [], Words)),
+          nppg_fault(_, Fault),
+          blame_table(Table, Kinds, AllRoots, Fault)).
 
-action_rows([], _, _, []) -->
-    [].
-action_rows([Action|Actions], Table, GoalValues, [Kind|Kinds]) -->
-    { roots(Table, Action, GoalValues, Kind, Roots),
-      First is Kind*1000
-    },
-    words(Table, First, Roots),
-    action_rows(Actions, Table, GoalValues, Kinds).
+action_rows([], [], _, _, []).
+action_rows([Kind|Kinds], [Roots|AllRoots], Table, Asked0, Words) :-
+    (   groups(Table, Kind, Groups)
+    ->  group_rows(Groups, Table, Roots, Asked0, Asked, Words, Rest)
+    ;   Asked = Asked0,
+        Rest = Words
+    ),
+    action_rows(Kinds, AllRoots, Table, Asked, Rest).
 
-words(Table, Key, Roots) -->
-    { \+ \+ clause(Table:row(Key, _, _), _) },
-    !,
-    { answered(Table, Table:row(Key, Roots, Word), Roots),
-      Next is Key+1
-    },
-    [Word],
-    words(Table, Next, Roots).
-words(_, _, _) -->
-    [].
+group_rows([], _, _, Asked, Asked, Words, Words).
+group_rows([group(Key, End, Positions)|Groups], Table, Roots, Asked0, Asked, Words, Rest) :-
+    projection(Positions, Roots, Values),
+    (   memberchk(asked(Key, Values, Own), Asked0)
+    ->  Asked1 = Asked0
+    ;   words(Key, End, Table, Roots, Own),
+        Asked1 = [asked(Key, Values, Own)|Asked0]
+    ),
+    append(Own, Later, Words),
+    group_rows(Groups, Table, Roots, Asked1, Asked, Later, Rest).
 
-%   Runs a compiled clause; where it fails to finish, the single test at fault is looked for, so that the
-%   message can name its predicate.
+projection([], _, []).
+projection([Position|Positions], Roots, [Value|Values]) :-
+    arg(Position, Roots, Value),
+    projection(Positions, Roots, Values).
+
+words(End, End, _, _, []) :-
+    !.
+words(Key, End, Table, Roots, [Word|Words]) :-
+    Table:row(Key, Roots, Word),
+    Next is Key+1,
+    words(Next, End, Table, Roots, Words).
+
+%   Where asking does not finish, the single test at fault is looked for, so that the message can name its
+%   predicate.
+
+blame_table(Table, Kinds, AllRoots, Fault) :-
+    layout(Table, Module, _, _),
+    (   nth0(I, Kinds, Kind),
+        nth0(I, AllRoots, Roots),
+        groups(Table, Kind, Groups),
+        member(group(Key, End, _), Groups),
+        Last is End-1,
+        between(Key, Last, Word),
+        catch(( blame(Module, Table:row(Word, Roots, _), Roots), fail ), Blamed, true)
+    ->  throw(Blamed)
+    ;   throw(nppg_fault(Module:test/0, Fault))
+    ).
+
+%   Runs a pack, likewise.
 
 answered(Table, Goal, Roots) :-
     layout(Table, Module, _, _),
-    catch(guarded(Module:test, Goal), nppg_fault(_, Fault), blame(Module, Goal, Roots, Fault)).
+    catch(guarded(Module:test/0, Goal), nppg_fault(_, Fault),
+          ( blame(Module, Goal, Roots), throw(nppg_fault(Module:test/0, Fault)) )).
 
-blame(Module, Table:Goal, Roots, Fault) :-
+%   Throws the fault of the first test in the clause's body that has one.
+
+blame(Module, Table:Goal, Roots) :-
     clause(Table:Goal, Body),
     arg(2, Goal, Roots),
-    (   step(Body, Test),
-        catch(( ignore(guarded(Module:test, Table:Test)), fail ), nppg_fault(_, Own), true)
-    ->  last_literal(Test, Literal),
-        functor(Literal, Name, Arity),
-        throw(nppg_fault(Module:(Name/Arity), Own))
-    ;   throw(nppg_fault(Module:(test/0), Fault))
+    forall(step(Body, Test), tried(Module, Table, Test)).
+
+tried(Module, Table, Test) :-
+    last_literal(Test, Literal),
+    functor(Literal, Name, Arity),
+    catch(ignore(guarded(Module:(Name/Arity), Table:Test)), nppg_fault(Predicate, Fault), true),
+    (   nonvar(Fault)
+    ->  throw(nppg_fault(Predicate, Fault))
+    ;   true
     ).
 
 step((Left, Right), Test) :-
@@ -231,7 +284,7 @@ load_state(Table, Module, Facts, Number, Next) :-
 
 load_example(Table, [State, Action], Number, Next) :-
     state(Table, State, _-GoalValues),
-    roots(Table, Action, GoalValues, _, Roots),
+    roots(Table, GoalValues, Action, _, Roots),
     assertz(example(Table, Number, State, Roots)),
     Next is Number+1.
 
