@@ -12,6 +12,7 @@ import re
 import sys
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
+from itertools import accumulate
 from pathlib import Path
 from typing import NamedTuple, TypeVar
 
@@ -59,7 +60,7 @@ class Mode:
 
 @dataclass(frozen=True, slots=True)
 class Template:
-    """The form of all actions, or of the goal."""
+    """The form of one kind of action, or of the goal."""
 
     name: str
     types: tuple[str, ...]  # of its arguments
@@ -99,7 +100,7 @@ class LanguageBias:
     """The contents of one bias file."""
 
     file: str
-    action: Template
+    actions: tuple[Template, ...]  # one for each kind of action
     goal: Template | None
     types: Mapping[str, tuple[str, ...]]  # predicate -> argument types; the action's and the goal's too
     subtypes: Mapping[str, str]  # type -> its direct supertype
@@ -110,8 +111,14 @@ class LanguageBias:
 
     @property
     def roots(self) -> tuple[str, ...]:
-        """The types of the root variables: the action's arguments, then the goal's."""
-        return self.action.types + (self.goal.types if self.goal else ())
+        """The types of the root variables: the arguments of each kind of action, then the goal's."""
+        templates = [*self.actions, self.goal] if self.goal else self.actions
+        return tuple(type_ for template in templates for type_ in template.types)
+
+    @property
+    def offsets(self) -> tuple[int, ...]:
+        """The number of the first root variable of each kind of action, and of the goal."""
+        return tuple(accumulate((len(action.types) for action in self.actions), initial=0))
 
     def fits(self, type_: str, wanted: str) -> bool:
         """Whether a variable of `type_` may stand where `wanted` is asked for: the same type, or one below it."""
@@ -123,7 +130,8 @@ class LanguageBias:
         return _Reader(str(path), _read(path)).bias()
 
     def check(self, predicates: Collection[tuple[str, int]], actions: Collection[tuple[str, int]]) -> list[Problem]:
-        """What the bias names and the domain does not have; `predicates` and `actions` are pairs of name and arity."""
+        """What the bias names and the domain does not have; `predicates` and `actions` are pairs of name and arity; no `actions`
+        means that they cannot be told without running the domain."""
         problems = []
 
         def look_up(what: str, item: Mode | Template, arity: int, known: Collection[tuple[str, int]]) -> None:
@@ -131,7 +139,8 @@ class LanguageBias:
                 message = f"the domain has no {what} {item.name}/{arity}{_near(item.name, known)}"
                 problems.append(Problem(self.file, item.line, item.column, message))
 
-        look_up("action", self.action, len(self.action.types), actions)
+        for action in self.actions if actions else ():
+            look_up("action", action, len(action.types), actions)
         if self.goal:
             look_up("predicate", self.goal, len(self.goal.types), predicates)
         for mode in self.modes:
@@ -363,17 +372,18 @@ class _Reader:
         self.read_subtypes(entries.get("subtypes"))
         declared = {name for types in self.types.values() for name in types or ()}
         declared |= {*self.subtypes, *self.subtypes.values()}
-        action = self.template(entries.get("action"), "action", "+")
+        actions = self.actions(entries.get("action"))
         goal = self.template(entries.get("goal"), "goal", "-")
         max_lookahead = self.whole(entries.get("lookahead"), "lookahead", 0, otherwise=sys.maxsize)
         max_variables = self.whole(entries.get("max_variables"), "max_variables", 4)
         modes = self.modes(entries.get("modes"), max_lookahead)
         tree = self.tree(entries.get("tree"))
-        self.check_types(declared, [(entries[key], each) for key, each in (("action", action), ("goal", goal)) if each])
-        if self.problems or action is None:
+        self.check_types(declared, [*actions, (entries["goal"], goal)] if goal else actions)
+        if self.problems:
             raise NppgError(sorted(self.problems))
         types = {name: types for name, types in self.types.items() if types is not None}
-        return LanguageBias(self.file, action, goal, types, self.subtypes, modes, max_lookahead, max_variables, tree)
+        templates = tuple(template for _, template in actions)
+        return LanguageBias(self.file, templates, goal, types, self.subtypes, modes, max_lookahead, max_variables, tree)
 
     # -------------------------------------------------- nodes
 
@@ -524,13 +534,31 @@ class _Reader:
             self.report(node, str(mistake), mistake.offset)
             return None
 
-    def template(self, node: yaml.Node | None, key: str, sign: str) -> Template | None:
+    def actions(self, node: yaml.Node | None) -> list[tuple[yaml.Node, Template]]:
+        """The templates of one kind of action, or of a list of kinds, with their places."""
+        if node is None:
+            return []
+        several = isinstance(node, yaml.SequenceNode)
+        nodes = self.items(node, "actions") or [] if several else [node]
+        if not nodes:
+            self.report(node, "at least one action is wanted")
+        found: dict[str, tuple[yaml.Node, Template]] = {}
+        for each in nodes:
+            template = self.template(each, "action", "+", bare=several)
+            if template and template.name in found:
+                self.report(each, f"the action {template.name} is given twice")
+            elif template:
+                found[template.name] = (each, template)
+        return list(found.values())
+
+    def template(self, node: yaml.Node | None, key: str, sign: str, bare: bool = False) -> Template | None:
+        """`bare`: a name without arguments will do."""
         example = {"action": "move(+block, +place)", "goal": "goal_on(-block, -block)"}[key]
         parsed = self.parse(node, f"a template like {example}") if node else None
         if node is None or parsed is None:
             return None
         name, args = parsed
-        if not args:
+        if not args and not bare:
             self.report(node, f"the {key} is a template with arguments, like {example}, not {name!r}")
             return None
         types = []

@@ -80,7 +80,7 @@ max_variables: 3
 tree: {max_depth: 3, min_variance: 1e-3, significance: 0.05}
 """
     )
-    assert bias.action == Template("move", ("block", "place"))
+    assert bias.actions == (Template("move", ("block", "place")),)
     assert bias.goal == Template("goal_on", ("block", "block"))
     assert bias.roots == ("block", "place", "block", "block")
     assert bias.types["on"] == ("block", "place") and bias.types["goal_on"] == ("block", "block")
@@ -94,7 +94,7 @@ tree: {max_depth: 3, min_variance: 1e-3, significance: 0.05}
         Mode("=", (Argument("+", "place"), Argument("#", "place", ("floor",)))),
     )
     assert [(each.line, each.column) for each in bias.modes][2:4] == [(11, 5), (12, 16)]
-    assert (bias.action.line, bias.action.column) == (1, 9)
+    assert (bias.actions[0].line, bias.actions[0].column) == (1, 9)
     assert (bias.max_lookahead, bias.max_variables) == (2, 3)
     assert bias.tree == TreeLimits(max_depth=3, min_variance=1e-3, significance=0.05)
 
@@ -325,7 +325,7 @@ def test_byte_order_mark_and_line_ends(tmp_path: Path) -> None:
     path = tmp_path / "b.yaml"
     path.write_bytes(b"\xef\xbb\xbf" + (HEAD + "modes:\n  - clear(+)\n").replace("\n", "\r\n").encode())
     bias = LanguageBias.load(path)
-    assert (bias.file, bias.action.column, bias.modes[0].line) == (str(path), 9, 9)
+    assert (bias.file, bias.actions[0].column, bias.modes[0].line) == (str(path), 9, 9)
 
 
 @pytest.mark.parametrize(
