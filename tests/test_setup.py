@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parent.parent
-TOOLS = "sh cat cp sed grep cut head tail tr rm mv mkdir dirname basename cksum tar env flock".split()
+TOOLS = "basename cat cksum cp cut dirname env flock grep head mkdir mv rm sed sh tail tar tr"
 SWIPL = """
 case "$*" in *runtime*) ;; *) exit 0 ;; esac
 cat <<END
@@ -24,7 +24,9 @@ case "$*" in
 *get_path*) echo "{base}/include" ;;
 *_base_executable*) echo python3 ;;
 "-m venv .venv") mkdir -p .venv/bin && cp "$0" .venv/bin/python ;;
-*"pip install"*) echo "$*" >>"{base}/pip"; [ ! -e "{base}/offline" ] || {{ echo Temporary failure in name resolution; exit 1; }} ;;
+*"pip install"*)
+    echo "$*" >>"{base}/pip"
+    [ ! -e "{base}/offline" ] || {{ echo Temporary failure in name resolution; exit 1; }} ;;
 *doctor*) [ ! -e "{base}/ill" ] || {{ echo "FAIL something"; exit 2; }} ;;
 esac
 """
@@ -74,7 +76,7 @@ def machine(tmp_path: Path) -> Machine:
     """Python, its headers, a compiler and SWI-Prolog 9.2.9; an ordinary user; no package manager."""
     machine = Machine(tmp_path)
     (tmp_path / "bin").mkdir()
-    for tool in TOOLS:
+    for tool in TOOLS.split():
         if found := shutil.which(tool):
             (tmp_path / "bin" / tool).symlink_to(found)
     machine.command("cc")
