@@ -18,7 +18,7 @@ Constant = str | int | float
 class Var(NamedTuple):
     """A variable, known by its number."""
 
-    index: int
+    index: int  # type: ignore[assignment]
 
 
 Term = Var | Constant
@@ -165,3 +165,15 @@ def normal_form(query: Query, roots: int) -> Query | None:
     kept = [Literal("=", (term, var)) for var, term in sorted(theta.items()) if var.index < roots]
     rest = substitute((literal for literal in query if literal.name != "="), theta)
     return canonical(reduced((*kept, *rest), roots), roots)
+
+
+def deciding_tests(query: Query, literals: Query, roots: int) -> tuple[Query, ...]:
+    """The tests, in normal form, that all hold exactly if `query` still does when `literals` are added to it.
+
+    Raises ValueError where the literals contradict the query.
+    """
+    own = [part for part in components(query + literals, roots) if any(each in literals for each in part)]
+    forms = [normal_form(part, roots) for part in own]
+    if None in forms:
+        raise ValueError("the tests contradict each other")
+    return tuple(form for form in forms if form is not None)

@@ -33,19 +33,25 @@ write_model(File, Name, DomainFile, Facts, Policy, Comments) :-
     setup_call_cleanup(
         open(File, write, Out, [encoding(utf8)]),
         ( preamble(Out, Name, DomainFile, Facts),
-          forall(nth1(Tree, Comments, Comment), write_tree(Out, Policy, Tree, Comment)) ),
+          forall(nth1(Tree, Comments, Comment), header((:- module(policy, [state/1, potential/2, best_action/1, delta/3]))).
+
+write_tree(Out, Policy, Tree, Comment)) ),
         close(Out)).
 
 preamble(Out, Name, DomainFile, Facts) :-
     format(Out, '% A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.~n', []),
     format(Out, '% In plain Prolog, in the folder of this file and its domain:  swipl model.pl~n', []),
     format(Out, '%     ?- state([...]), best_action(Action).~n~n', []),
+    header(Header),
+    portray_clause(Out, Header),
     forall(( member([Key, Data], Facts), decode(Data, Value) ),
-           format(Out, '~q.~n', [model(Key, Value)])),
+           format(Out, '~W.~n', [model(Key, Value), [quoted(true), spacing(next_argument)]])),
     plain_file(Plain),
     read_file_to_string(Plain, Text, [encoding(utf8)]),
-    format(Out, '~n~w~ndomain(~q).~n:- ensure_loaded(~q).~n:- add_import_module(user, ~q, start).~n',
+    format(Out, '~n~w~ndomain(~q).~n:- ensure_loaded(~q).~n:- add_import_module(policy, ~q, start).~n',
            [Text, Name, DomainFile, Name]).
+
+header((:- module(policy, [state/1, potential/2, best_action/1, delta/3]))).
 
 write_tree(Out, Policy, Tree, Comment) :-
     format(Out, '~n% tree ~d: ~w~n', [Tree, Comment]),
@@ -86,11 +92,13 @@ goal_text(Options, Goal, Text) :-
 
 read_model(File, [Facts, Name, DomainFile, Rules]) :-
     file_terms(File, Terms0),
-    described(Terms0, Facts, Terms1),
+    header(Header),
+    same_terms([Header-_], Terms0, File, TermsH),
+    described(TermsH, Facts, Terms1),
     plain_file(Plain),
     file_terms(Plain, PlainTerms),
     same_terms(PlainTerms, Terms1, File, Terms2),
-    (   Terms2 = [domain(Name)-_, (:- ensure_loaded(DomainFile))-_, (:- add_import_module(user, Name, start))-_|Terms],
+    (   Terms2 = [domain(Name)-_, (:- ensure_loaded(DomainFile))-_, (:- add_import_module(policy, Name, start))-_|Terms],
         atom(Name),
         atom(DomainFile)
     ->  true

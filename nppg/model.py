@@ -1,0 +1,142 @@
+"""Model files: written as Prolog that a person can read, read back strictly as data.
+
+The head of the file describes the policy by facts model(Name, Value): the domain and its parameters, the
+templates and predicates of the language bias, and what the caller adds, such as the options of the run.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+from nppg import __version__
+from nppg.clauses import from_clause
+from nppg.domain import Domain
+from nppg.errors import NppgError, Problem, suggestion
+from nppg.language_bias import LanguageBias, Template, TreeLimits
+from nppg.logic import deciding_tests
+from nppg.policy import Policy
+from nppg.prolog import ask
+from nppg.tree import Rule, from_rules
+
+FORMAT = 1
+
+
+def write(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None:
+    """Writes the model, and a copy of its domain beside it, each under a temporary name first."""
+    domain, bias = policy.domain, policy.bias
+    templates = {each.name for each in (*bias.actions, bias.goal) if each}
+    described = [
+        ("format", FORMAT),
+        ("nppg", __version__),
+        ("prolog", ask("version")),
+        ("domain", domain.path.name),
+        ("domain_sha256", domain.hash),
+        *(("parameter", ("=", name, value)) for name, value in domain.parameters.items()),
+        *(("action", (each.name, *each.types) if each.types else each.name) for each in bias.actions),
+        *([("goal", (bias.goal.name, *bias.goal.types))] if bias.goal else []),
+        *(("literal", (name, *types) if types else name) for name, types in bias.types.items() if name not in templates),
+        *facts,
+        ("trees", len(policy.trees)),
+    ]
+    copy = path.parent / domain.path.name
+    if not (copy.exists() and copy.samefile(domain.path)):
+        replacing(copy, lambda temporary: shutil.copyfile(domain.path, temporary))
+    entries = [[key, value] for key, value in described]
+    replacing(
+        path,
+        lambda temporary: ask(
+            "save", str(temporary), domain.name, domain.path.name, entries, policy.name, policy.comments
+        ),
+    )
+
+
+def replacing(path: Path, write_to: Callable[[Path], object]) -> None:
+    """Writes a file under a temporary name and renames it, so that it is there whole or not at all. Raises
+    NppgError where that is not possible."""
+    temporary = path.with_name(f".{path.name}.{os.getpid()}")
+    try:
+        temporary.touch()
+        write_to(temporary)
+        os.replace(temporary, path)
+    except OSError as error:
+        raise NppgError([Problem(str(path), 0, 0, f"cannot be written: {error.strerror}")]) from None
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def read(path: Path, parameters: Mapping[str, int | float | str]) -> Policy:
+    """Reads a model. Its domain is the copy beside it, else the shipped one of that name.
+
+    Raises NppgError for what is no model, is cut off, or uses an action or a predicate that it does not declare
+    or its domain does not have.
+    """
+    try:
+        path.open("rb").close()
+    except OSError as error:
+        raise NppgError([Problem(str(path), 0, 0, f"cannot be read: {error.strerror}")]) from None
+    facts, _, domain_file, clauses = ask("model", str(path))
+    known: dict[str, list] = {}
+    for key, value in facts:
+        known.setdefault(key, []).append(value)
+    if known.get("format") != [FORMAT]:
+        raise _wrong(path, 1, f"model(format, {FORMAT}) is missing: written by another version of nppg?")
+    beside = path.parent / domain_file
+    domain = Domain(
+        beside if beside.is_file() else Path(domain_file).stem,
+        {**{name: value for _, name, value in known.get("parameter", [])}, **parameters},
+    )
+    policy = Policy(domain, _bias(path, known, domain))
+    for rules in _trees(path, clauses, policy.bias, known):
+        policy.add(from_rules(rules, lambda query, literals: deciding_tests(query, literals, len(policy.bias.roots))))
+    return policy
+
+
+def _bias(path: Path, known: Mapping[str, list], domain: Domain) -> LanguageBias:
+    def template(term: str | tuple) -> Template:
+        name, *types = term if isinstance(term, tuple) else (term,)
+        return Template(name, tuple(types))
+
+    literals = [template(term) for term in known.get("literal", [])]
+    actions = tuple(map(template, known.get("action", [])))
+    goal = next(map(template, known.get("goal", [])), None)
+    if not actions:
+        raise _wrong(path, 1, "the model declares no action")
+    for each in literals if goal is None else [goal, *literals]:
+        if (each.name, len(each.types)) not in domain.predicates:
+            near = suggestion(each.name, (name for name, _ in domain.predicates))
+            raise _wrong(
+                path, 1, f"the domain {domain.path} does not have {each.name}/{len(each.types)}{near}: is it another one?"
+            )
+    types = {each.name: each.types for each in (*actions, *literals, *([goal] if goal else []))}
+    return LanguageBias(str(path), actions, goal, types, {}, (), 0, 0, TreeLimits())
+
+
+def _trees(path: Path, clauses: list, bias: LanguageBias, known: Mapping[str, list]) -> list[list[Rule]]:
+    trees: list[list[Rule]] = []
+    open_tree = False
+    for line, number, head, body, value, final in clauses:
+        if not open_tree:
+            trees.append([])
+        if number != len(trees):
+            raise _wrong(path, line, f"a rule of tree {len(trees)} is expected here, not of tree {number}")
+        try:
+            trees[-1].append(from_clause(head, body, value, bias))
+        except ValueError as error:
+            raise _wrong(path, line, str(error)) from None
+        open_tree = final != "true"
+    if open_tree or known.get("trees") != [len(trees)]:
+        raise _wrong(path, clauses[-1][0] if clauses else 1, "the model is cut off here: rules are missing")
+    return trees
+
+
+def _wrong(path: Path, line: int, message: str) -> NppgError:
+    return NppgError([Problem(str(path), line, 0, message)])
+
+
+def file_hash(path: str | Path) -> str:
+    """SHA-256 of a file, in hexadecimal."""
+    return hashlib.sha256(Path(path).read_bytes()).hexdigest()
