@@ -33,9 +33,7 @@ write_model(File, Name, DomainFile, Facts, Policy, Comments) :-
     setup_call_cleanup(
         open(File, write, Out, [encoding(utf8)]),
         ( preamble(Out, Name, DomainFile, Facts),
-          forall(nth1(Tree, Comments, Comment), header((:- module(policy, [state/1, potential/2, best_action/1, delta/3]))).
-
-write_tree(Out, Policy, Tree, Comment)) ),
+          forall(nth1(Tree, Comments, Comment), write_tree(Out, Policy, Tree, Comment)) ),
         close(Out)).
 
 preamble(Out, Name, DomainFile, Facts) :-
