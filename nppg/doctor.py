@@ -19,6 +19,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from nppg import prolog_home
+from nppg.shipped import shipped
 
 _PACKAGE = Path(__file__).parent
 _PROBE = "import janus_swi; print(janus_swi.query_once('X is 6*7')['X'])"
@@ -144,8 +145,7 @@ def _probe(linked: prolog_home.Linked) -> Check:
 
 
 def _shipped(folder: str) -> Check:
-    inside = _PACKAGE / "_shipped" / folder
-    path = inside if inside.is_dir() else _PACKAGE.parent / folder
+    path = shipped(folder)
     if path.is_dir() and any(path.iterdir()):
         return Check(f"{folder}/", True, str(path))
     return Check(f"{folder}/", False, f"{path} is missing or empty", "install nppg anew")

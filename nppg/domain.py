@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nppg.errors import NppgError, Problem, suggestion
-from nppg.prolog import ask, drop_with, randomness, shipped
+from nppg.prolog import ask, drop_with, randomness
+from nppg.shipped import locate
 
 Ground = str | int | float | tuple
 State = tuple[Ground, ...]
@@ -33,19 +33,6 @@ class Outcome(NamedTuple):
 
     probability: float
     state: State
-
-
-def locate(name: str | Path, folder: str, suffix: str) -> Path:
-    """The file of that path, or of that name among the shipped ones in `folder`."""
-    path = Path(name)
-    if path.is_file():
-        return path
-    candidate = shipped(folder) / f"{name}{suffix}"
-    if path.suffix == "" and candidate.is_file():
-        return candidate
-    known = sorted(each.stem for each in shipped(folder).glob(f"*{suffix}"))
-    hint = suggestion(str(name), known) or f"; shipped are: {', '.join(known)}"
-    raise NppgError([Problem(str(name), 0, 0, f"no such file{hint}")])
 
 
 class Domain:
@@ -126,6 +113,11 @@ class Domain:
             (action, [Outcome(probability, tuple(facts)) for probability, facts in outcomes])
             for action, outcomes in ask("neighbours", self.module)
         ]
+
+    def picture(self, state: State) -> list[str]:
+        """The state drawn for people, line by line."""
+        self.visit(state)
+        return ask("drawing", self.module)
 
     def members(self, predicate: str) -> list[Ground]:
         """All X for which predicate(X) holds in the current state, sorted."""

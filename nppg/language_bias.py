@@ -40,8 +40,8 @@ class Argument:
     def __str__(self) -> str:
         if self.kind != "#":
             return f"{self.kind}{self.type}"
-        written = ", ".join(map(_written, self.constants))
-        return written if len(self.constants) == 1 else f"[{written}]"
+        items = ", ".join(map(written, self.constants))
+        return items if len(self.constants) == 1 else f"[{items}]"
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +55,7 @@ class Mode:
     column: int = field(default=0, compare=False)
 
     def __str__(self) -> str:
-        return _atom("equal" if self.name == "=" else _written(self.name), self.args)
+        return _atom("equal" if self.name == "=" else written(self.name), self.args)
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +68,7 @@ class Template:
     column: int = field(default=0, compare=False)
 
     def __str__(self) -> str:
-        return _atom(_written(self.name), self.types)
+        return _atom(written(self.name), self.types)
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,7 +171,7 @@ def _is_name(text: str) -> bool:
     return bool(re.fullmatch(r"[^\W\d_]\w*", text)) and not text[0].isupper() and not text[0].istitle()
 
 
-def _written(constant: Constant) -> str:
+def written(constant: Constant) -> str:
     if not isinstance(constant, str):
         return repr(constant)
     if _is_name(constant):
@@ -276,7 +276,7 @@ class _Parser:
         constants = tuple(self.sequence("]", lambda: self.constant("a constant")))
         if not constants:
             raise _Mistake(first.offset, "the set of constants is empty")
-        if len(set(map(_written, constants))) < len(constants):
+        if len(set(map(written, constants))) < len(constants):
             raise _Mistake(first.offset, "the set of constants holds one of them twice")
         return Argument("#", "", constants), first.offset
 

@@ -6,16 +6,17 @@ raised as NppgError, so no Prolog exception leaves this module.
 
 from __future__ import annotations
 
+import signal
 import weakref
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from nppg import prolog_home
 from nppg.errors import NppgError, Problem
+from nppg.shipped import shipped
 
 prolog_home.prepare()
 
@@ -23,14 +24,8 @@ import janus_swi  # noqa: E402
 
 _STACK_LIMIT = 256 * 2**20
 
+_interrupted = False
 _generator: np.random.Generator | None = None
-
-
-def shipped(folder: str) -> Path:
-    """The folder `prolog`, `domains` or `language_bias` that comes with the package."""
-    package = Path(__file__).parent
-    inside = package / "_shipped" / folder
-    return inside if inside.is_dir() else package.parent / folder
 
 
 def uniform() -> float:
@@ -54,12 +49,33 @@ def randomness(generator: np.random.Generator) -> Iterator[None]:
 def ask(question: str, *args: Any) -> Any:
     """The answer to one of the questions of prolog/bridge.pl.
 
-    Raises NppgError with file and line where the domain's code is at fault.
+    Raises NppgError with file and line where the domain's code is at fault, and KeyboardInterrupt where Ctrl-C was
+    pressed under `interruptible`.
     """
+    global _interrupted
     done, value = janus_swi.apply_once("nppg_bridge", "ask", question, list(args))
+    if _interrupted:
+        _interrupted = False
+        raise KeyboardInterrupt
     if not done:
         raise NppgError(Problem(*problem) for problem in value)
     return value
+
+
+@contextmanager
+def interruptible() -> Iterator[None]:
+    """Lets Ctrl-C end the program only between two questions, never while Prolog runs or calls back, where raising
+    can crash it. Every question ends, because domain code is held to an inference limit."""
+
+    def note(*_: object) -> None:
+        global _interrupted
+        _interrupted = True
+
+    previous = signal.signal(signal.SIGINT, note)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, previous)
 
 
 def drop_with(owner: object, question: str, *args: Any) -> None:

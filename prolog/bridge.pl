@@ -62,6 +62,9 @@ visit(Module, Data, true) :-
     sort(Facts0, Facts),
     interpret(Module, Facts).
 
+drawing(Module, Lines) :-
+    picture(Module, Lines).
+
 horizon_of(Module, Steps) :-
     horizon(Module, Steps).
 

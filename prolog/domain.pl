@@ -5,6 +5,7 @@
             status/2,            % +Module, -Status              det
             actions/2,           % +Module, -Actions             det
             experts/2,           % +Module, -Actions             det
+            picture/2,           % +Module, -Lines               det
             horizon/2,           % +Module, -Steps               det
             outcomes/3,          % +Module, +Action, -Outcomes   det
             reward/3,            % +Module, +Action, -Reward     det
@@ -35,6 +36,7 @@ of them has a state argument: they see the facts of the current state. docs/doma
 | reward(+Action, -R)               | for the action that led to the current state; default: 1 in a goal state, else 0 |
 | horizon(-N)                       | in a start state: the length after which an episode ends; default 100 |
 | expert(-Action)                   | the actions that an expert would take, by backtracking   |
+| picture(-Lines)                   | the current state drawn for people, a list of atoms; default: its facts |
 
 Every load makes an instance, a module of its own, so that one file can be loaded with other parameters
 beside itself.
@@ -160,6 +162,7 @@ contract(terminal/0).
 contract(reward/2).
 contract(horizon/1).
 contract(expert/1).
+contract(picture/1).
 
 defined(Module, Name/Arity) :-
     functor(Head, Name, Arity),
@@ -320,6 +323,20 @@ experts(Module, Actions) :-
     ->  guarded_findall(Action, Module:(expert/1), Module:expert(Action), Found),
         sort(Found, Actions)
     ;   Actions = []
+    ).
+
+%!  picture(+Module, -Lines) is det.
+%
+%   The current state as lines of text.
+
+picture(Module, Lines) :-
+    (   defines(Module, picture/1)
+    ->  (   guarded(Module:(picture/1), Module:picture(Drawn)), is_list(Drawn)
+        ->  findall(Line, ( member(Part, Drawn), format(atom(Line), "~w", [Part]) ), Lines)
+        ;   fault(Module:(picture/1), 'gave no list of lines'-[])
+        )
+    ;   interpretation(Module, Facts),
+        findall(Line, ( member(Fact, Facts), format(atom(Line), '~q', [Fact]) ), Lines)
     ).
 
 horizon(Module, Steps) :-

@@ -1,0 +1,64 @@
+"""Every mistake in a domain and its language bias that can be found without training."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from nppg.coverage import root_table
+from nppg.domain import Domain
+from nppg.errors import NppgError, Problem
+from nppg.language_bias import LanguageBias
+from nppg.refinement import Refiner
+
+_STARTS = 10
+_STEPS = 5
+
+
+def check(load_domain: Callable[[], Domain], load_bias: Callable[[], LanguageBias]) -> tuple[list[Problem], str]:
+    """The problems of both files and of their fit, and a summary for where there are none.
+
+    Where the files are sound, all predicates are tried in some random episodes, and all tests of the bias.
+    """
+    domain, problems = _loaded(load_domain)
+    bias, more = _loaded(load_bias)
+    problems += more
+    if domain and bias and not problems:
+        problems = bias.check(domain.predicates, domain.actions)
+        if not problems:
+            problems = list(_tried(domain, bias))
+    return problems, _summary(domain, bias) if domain and bias else ""
+
+
+def _loaded(load: Callable) -> tuple:
+    try:
+        return load(), []
+    except NppgError as error:
+        return None, list(error.problems)
+
+
+def _tried(domain: Domain, bias: LanguageBias) -> Iterator[Problem]:
+    rng = np.random.default_rng(0)
+    try:
+        table = root_table(domain, bias, Refiner(bias))
+        for _ in range(_STARTS):
+            state = domain.start(rng)
+            domain.horizon(state)
+            for _ in range(_STEPS):
+                situation = domain.situation(state)
+                if situation.status != "running":
+                    break
+                domain.expert_actions(state)
+                domain.picture(state)
+                domain.neighbours(state)
+                table.answers(state, situation.actions)
+                _, state = domain.act(state, situation.actions[int(rng.random() * len(situation.actions))], rng)
+    except NppgError as error:
+        yield from error.problems
+
+
+def _summary(domain: Domain, bias: LanguageBias) -> str:
+    fluents = ", ".join(f"{name}/{arity}" for name, arity in sorted(domain.fluents))
+    table = root_table(domain, bias, Refiner(bias))
+    return f"{domain.path} and {bias.file}: no mistakes; fluents {fluents}; {len(table)} tests at a root"

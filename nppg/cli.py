@@ -1,0 +1,295 @@
+"""The command line: a thin face over the public interface."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, fields, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from nppg import __version__
+from nppg.errors import NppgError, Problem
+from nppg.language_bias import LanguageBias, TreeLimits
+from nppg.options import Options
+from nppg.shipped import locate, shipped
+
+if TYPE_CHECKING:
+    from nppg.domain import Domain
+    from nppg.policy import Policy
+    from nppg.runs import Progress
+
+_LIMITS = {
+    "max_depth": "tests on the longest path of a tree",
+    "min_examples": "each leaf holds at least so many examples",
+    "min_variance": "a node with less is a leaf",
+    "significance": "level of the F-test that a split must pass; 1 switches it off",
+}
+_RENAMED = {"min_examples": "min_leaf"}  # the option's name where another option has the field's
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs one command. Returns the exit status: 0, 2 after a mistake, 130 after Ctrl-C."""
+    options = _parser().parse_args(arguments)
+    try:
+        if options.command == "doctor":
+            return _doctor()
+        from nppg.prolog import interruptible
+
+        with interruptible():
+            return options.function(options)
+    except NppgError as error:
+        print(error, file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return 130
+    except BrokenPipeError:
+        sys.stderr.close()
+        return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="nppg", description=__doc__.split("\n")[0], allow_abbrev=False)
+    parser.add_argument("--version", action="version", version=f"nppg {__version__}")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+
+    def command(name: str, function: Callable[[argparse.Namespace], int], help: str) -> argparse.ArgumentParser:
+        added = commands.add_parser(name, help=help, description=help, allow_abbrev=False)
+        added.set_defaults(function=function)
+        return added
+
+    command("doctor", lambda _: _doctor(), "look whether everything that nppg needs is there")
+    check = command("check", _check, "report every mistake in a domain and its language bias")
+    train = command("train", _train, "learn a policy")
+    for each in (check, train):
+        each.add_argument("domain", help="a shipped domain's name, or a file")
+        each.add_argument("--bias", help="language bias (default: the file of the domain's name)")
+    evaluate = command("evaluate", _evaluate, "measure a policy's success")
+    show = command("show", _show, "print a policy's trees")
+    play = command("play", _play, "draw one episode step by step")
+    for each in (evaluate, show, play):
+        each.add_argument("model", type=Path, help="a model file")
+    for each in (check, train, evaluate, play):
+        each.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a parameter of the domain")
+    new = command("new", _new, "write a commented domain and language bias to start from")
+    new.add_argument("name")
+
+    for field in fields(Options):
+        _add_option(train, field.name, type(field.default), field.default, field.metadata)
+    for field in fields(TreeLimits):
+        help = f"{_LIMITS[field.name]} (default: the language bias's)"
+        name = _RENAMED.get(field.name, field.name)
+        _add_option(train, name, type(field.default), None, {"help": help})
+    train.add_argument("--output", type=Path, help="folder for the files (default: runs/DOMAIN)")
+    train.add_argument("--evaluate-every", type=int, default=50, metavar="N", help="episodes between two points of the curve; 0: none (default: 50)")
+    train.add_argument("--starts", type=int, default=200, help="starts of a sampled point of the curve (default: 200)")
+    train.add_argument("--quiet", action="store_true", help="print nothing")
+
+    how = evaluate.add_mutually_exclusive_group()
+    how.add_argument("--exact", action="store_true", help="over all start states")
+    how.add_argument("--starts", type=int, default=1000, help="number of sampled starts (default: 1000)")
+    evaluate.add_argument("--greedy", action="store_true", help="take the most probable action")
+    evaluate.add_argument("--json", action="store_true", help="print one JSON object")
+    for each in (evaluate, play):
+        each.add_argument("--seed", type=int, default=0)
+    show.add_argument("--tree", type=int, metavar="N", help="this tree alone, from 1")
+    show.add_argument("--format", choices=("prolog", "dot"), default="prolog")
+    return parser
+
+
+def _add_option(parser: argparse.ArgumentParser, name: str, kind: type, default: object, about: dict) -> None:
+    shown = "" if default is None else f" (default: {default})"
+    parser.add_argument(
+        f"--{name.replace('_', '-')}",
+        dest=name,
+        type=kind,
+        default=default,
+        choices=about.get("choices"),
+        metavar=None if "choices" in about else kind.__name__.upper(),
+        help=about["help"] + shown,
+    )
+
+
+def _parameters(settings: list[str]) -> dict[str, int | float | str]:
+    found: dict[str, int | float | str] = {}
+    for setting in settings:
+        name, equals, text = setting.partition("=")
+        if not (name and equals and text):
+            raise NppgError(f"--set takes NAME=VALUE, not '{setting}'")
+        found[name] = _value(text)
+    return found
+
+
+def _value(text: str) -> int | float | str:
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return text
+
+
+def _domain(options: argparse.Namespace) -> Domain:
+    from nppg.domain import Domain
+
+    return Domain(options.domain, _parameters(options.set))
+
+
+def _bias_path(options: argparse.Namespace) -> Path:
+    """The file given by --bias, or that of the domain's name: beside the domain, else among the shipped ones."""
+    if options.bias:
+        return locate(options.bias, "language_bias", ".yaml")
+    domain = locate(options.domain, "domains", ".pl")
+    beside = domain.with_suffix(".yaml")
+    if beside.is_file():
+        return beside
+    try:
+        return locate(domain.stem, "language_bias", ".yaml")
+    except NppgError:
+        raise NppgError([Problem(str(beside), 0, 0, "there is no language bias of the domain's name; give one by --bias")]) from None
+
+
+def _doctor() -> int:
+    from nppg.doctor import doctor, report
+
+    checks = doctor()
+    print(report(checks))
+    return 0 if all(check.ok for check in checks) else 2
+
+
+def _check(options: argparse.Namespace) -> int:
+    from nppg.check import check
+
+    problems, summary = check(lambda: _domain(options), lambda: LanguageBias.load(_bias_path(options)))
+    if problems:
+        raise NppgError(problems)
+    print(summary)
+    return 0
+
+
+def _train(options: argparse.Namespace) -> int:
+    from nppg.runs import run
+
+    chosen = Options(**{field.name: getattr(options, field.name) for field in fields(Options)})
+    for name, value, least in (("evaluate-every", options.evaluate_every, 0), ("starts", options.starts, 1)):
+        if value < least:
+            raise NppgError(f"--{name} must be at least {least}, not {value}")
+    domain, bias = _domain(options), LanguageBias.load(_bias_path(options))
+    limits = {field.name: getattr(options, _RENAMED.get(field.name, field.name)) for field in fields(TreeLimits)}
+    bias = replace(bias, tree=replace(bias.tree, **{name: value for name, value in limits.items() if value is not None}))
+    output = options.output or Path("runs") / domain.name
+    report = (lambda progress: None) if options.quiet else _reporter(chosen)
+    run(domain, bias, chosen, output, options.evaluate_every, options.starts, report)
+    if not options.quiet:
+        print(f"written to {output}/: " + ", ".join(sorted(each.name for each in output.iterdir() if each.name[0] != ".")))
+    return 0
+
+
+def _reporter(options: Options) -> Callable[[Progress], None]:
+    """A progress bar on a terminal with tqdm, plain lines elsewhere."""
+    bar = None
+    if sys.stderr.isatty():
+        try:
+            from tqdm import tqdm
+        except ImportError:
+            pass
+        else:
+            bar = tqdm(total=options.episodes, unit="episode", dynamic_ncols=True)
+
+    def show(progress: Progress) -> None:
+        point = progress.point
+        if bar is not None:
+            bar.update(progress.episodes - bar.n)
+            bar.set_postfix(trees=len(progress.policy.trees), lately=f"{progress.recent:.2f}")
+            if progress.episodes == options.episodes:
+                bar.close()
+        elif point is not None:
+            print(
+                f"episode {point.episode:5d}  trees {point.trees:4d}  success {point.success:.4f} "
+                f"(greedy {point.greedy_success:.4f})  {point.seconds:.1f} s",
+                flush=True,
+            )
+
+    return show
+
+
+def _load(options: argparse.Namespace) -> Policy:
+    from nppg.policy import Policy
+
+    return Policy.load(options.model, _parameters(getattr(options, "set", [])))
+
+
+def _evaluate(options: argparse.Namespace) -> int:
+    from nppg.evaluation import evaluate, evaluate_exactly
+
+    policy = _load(options)
+    if options.exact:
+        result = evaluate_exactly(policy, options.greedy)
+    else:
+        result = evaluate(policy, options.starts, options.seed, options.greedy)
+    if options.json:
+        print(json.dumps(asdict(result)))
+    else:
+        kind = "greedy" if result.greedy else "stochastic"
+        over = f"all {result.starts:,} start states" if result.exact else f"{result.starts:,} sampled start states"
+        print(f"success of the {kind} policy over {over}: {result.success:.6f} ({result.mean_steps:.3f} steps on average)")
+    return 0
+
+
+def _show(options: argparse.Namespace) -> int:
+    from nppg.dot import dot
+
+    policy = _load(options)
+    count = len(policy.trees)
+    if options.tree is not None and not 1 <= options.tree <= count:
+        raise NppgError(f"there is no tree {options.tree}: the model has {count}")
+    for number in range(1, count + 1) if options.tree is None else [options.tree]:
+        if options.format == "dot":
+            print(dot(policy.trees[number - 1], policy.bias, f"tree_{number}"))
+        else:
+            print(f"% tree {number}: {policy.comments[number - 1]}", *policy.rules(number), "", sep="\n")
+    return 0
+
+
+def _play(options: argparse.Namespace) -> int:
+    from nppg.episode import generate_episode
+
+    policy = _load(options)
+    episode = generate_episode(policy, np.random.default_rng(options.seed))
+    for number, step in enumerate(episode.steps, 1):
+        print(*policy.domain.picture(step.state), "", f"step {number}", sep="\n")
+        for action, probability in sorted(zip(step.actions, step.probabilities, strict=True), key=lambda each: -each[1]):
+            mark = "->" if action is step.actions[step.chosen] else "  "
+            print(f"  {mark} {probability:6.4f}  {_text(action)}")
+        print()
+    print(*policy.domain.picture(episode.last), "", sep="\n")
+    print(f"{'the goal is reached' if episode.success else 'the goal is not reached'} after {len(episode.steps)} steps")
+    return 0
+
+
+def _text(term: object) -> str:
+    return f"{term[0]}({', '.join(map(_text, term[1:]))})" if isinstance(term, tuple) else str(term)
+
+
+def _new(options: argparse.Namespace) -> int:
+    name = options.name
+    if not (name.isidentifier() and name[0].islower()):
+        raise NppgError(f"'{name}' cannot be a domain's name: write a lower-case letter, then letters, digits or _")
+    files = [Path(f"{name}.pl"), Path(f"{name}.yaml")]
+    for file in files:
+        if file.exists():
+            raise NppgError([Problem(str(file), 0, 0, "exists already and is left as it is")])
+    for file, folder in zip(files, ("domains", "language_bias"), strict=True):
+        text = (shipped(folder) / f"delivery{file.suffix}").read_text(encoding="utf-8")
+        lines = [line for line in text.splitlines() if "$schema" not in line]
+        try:
+            file.write_text("\n".join(lines).replace("delivery", name) + "\n", encoding="utf-8")
+        except OSError as error:
+            raise NppgError([Problem(str(file), 0, 0, f"cannot be written: {error.strerror}")]) from None
+    print(f"written: {files[0]} and {files[1]}; next: nppg check {files[0]}, then nppg train {files[0]}")
+    return 0

@@ -1,0 +1,219 @@
+"""A training run with its files: model.pl, curve.csv, run.json and, with matplotlib, curve.png."""
+
+from __future__ import annotations
+
+import csv
+import json
+import platform
+import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, field, fields
+from pathlib import Path
+
+import numpy as np
+
+from nppg import __version__
+from nppg.domain import Domain
+from nppg.errors import NppgError, Problem
+from nppg.evaluation import Evaluation, ExactEvaluator, evaluate
+from nppg.language_bias import LanguageBias
+from nppg.model import file_hash, replacing
+from nppg.options import Options
+from nppg.policy import Policy
+from nppg.prolog import ask
+from nppg.training import Iteration, train
+
+_CLASSES = 20_000  # state spaces up to this size are evaluated exactly between the trees
+_RECENT = 100  # episodes that `recent` is the mean of
+
+
+@dataclass(frozen=True, slots=True)
+class Point:
+    """One point of the learning curve. `success` is the stochastic policy's (exact where `exact` is 1), `recent`
+    the share of the last training episodes that reached the goal; `seconds` leaves evaluation out."""
+
+    episode: int
+    trees: int
+    success: float
+    seconds: float
+    greedy_success: float
+    mean_steps: float
+    recent: float
+    exact: int
+
+
+@dataclass
+class Progress:
+    """What a run has come to; handed to the caller after each tree, with a new `point` where one was made."""
+
+    policy: Policy
+    options: Options
+    episodes: int = 0
+    seconds: float = 0.0
+    outcomes: list[bool] = field(default_factory=list)
+    curve: list[Point] = field(default_factory=list)
+    point: Point | None = None
+
+    @property
+    def recent(self) -> float:
+        """Share of the last episodes that reached the goal."""
+        return sum(self.outcomes[-_RECENT:]) / max(len(self.outcomes[-_RECENT:]), 1)
+
+
+def run(
+    domain: Domain,
+    bias: LanguageBias,
+    options: Options,
+    output: Path,
+    evaluate_every: int = 50,
+    starts: int = 1000,
+    report: Callable[[Progress], None] = lambda progress: None,
+) -> Progress:
+    """Trains and writes the files into the folder `output`.
+
+    Every `evaluate_every` episodes (0: never) the policy is evaluated: exactly where the domain allows it and has
+    few classes of states, else on `starts` sampled starts. On KeyboardInterrupt the files are written for what has
+    been learned, then it is raised again; after a mistake of the domain they are written as far as there was
+    none before, so that nothing is lost and nothing overwritten.
+    """
+    problems = bias.check(domain.predicates, domain.actions)
+    if problems:
+        raise NppgError(problems)
+    _make_folder(output)
+    progress: Progress | None = None
+    try:
+        clock = time.perf_counter()
+        judge: Callable[[Policy], tuple[Evaluation, Evaluation]] | None = None
+        for iteration in train(domain, bias, options):
+            progress = progress or Progress(iteration.policy, options)
+            _advance(progress, iteration, time.perf_counter() - clock)
+            if _is_due(progress, iteration, evaluate_every):
+                judge = judge or _judge(iteration.policy, starts, options)
+                progress.point = _point(progress, *judge(iteration.policy))
+                progress.curve.append(progress.point)
+            report(progress)
+            progress.point = None
+            clock = time.perf_counter()
+    except BaseException as error:
+        interrupted = isinstance(error, KeyboardInterrupt)
+        if progress and (interrupted or not (output / "model.pl").exists()):
+            write_files(progress, bias, output)
+        raise
+    assert progress is not None
+    write_files(progress, bias, output)
+    return progress
+
+
+def _make_folder(output: Path) -> None:
+    try:
+        output.mkdir(parents=True, exist_ok=True)
+        probe = output / ".nppg"
+        probe.touch()
+        probe.unlink()
+    except OSError as error:
+        raise NppgError([Problem(str(output), 0, 0, f"the folder cannot be written to: {error.strerror}")]) from None
+
+
+def _advance(progress: Progress, iteration: Iteration, seconds: float) -> None:
+    progress.seconds += seconds
+    progress.episodes = iteration.episodes
+    progress.outcomes += [episode.success for episode in iteration.recent]
+
+
+def _is_due(progress: Progress, iteration: Iteration, every: int) -> bool:
+    if every == 0:
+        return False
+    last = progress.episodes - len(iteration.recent)
+    at_end = progress.episodes == progress.options.episodes
+    return not progress.curve or last // every < progress.episodes // every or at_end
+
+
+def _judge(policy: Policy, starts: int, options: Options) -> Callable[[Policy], tuple[Evaluation, Evaluation]]:
+    """How the run's policy is evaluated: the stochastic and the greedy one."""
+    factor = options.horizon_factor
+    if policy.domain.uniform_start and policy.domain.has_goal:
+        try:
+            exact = ExactEvaluator(policy, _CLASSES)
+            return lambda _: (exact.evaluate(False, factor), exact.evaluate(True, factor))
+        except NppgError:
+            pass
+    return lambda own: (
+        evaluate(own, starts, options.seed, False, factor),
+        evaluate(own, starts, options.seed, True, factor),
+    )
+
+
+def _point(progress: Progress, stochastic: Evaluation, greedy: Evaluation) -> Point:
+    return Point(
+        progress.episodes,
+        len(progress.policy.trees),
+        stochastic.success,
+        round(progress.seconds, 3),
+        greedy.success,
+        stochastic.mean_steps,
+        progress.recent,
+        int(stochastic.exact),
+    )
+
+
+def write_files(progress: Progress, bias: LanguageBias, output: Path) -> None:
+    """Writes all files of a run, each under a temporary name first."""
+    policy, options = progress.policy, progress.options
+    chosen = {**asdict(options), **asdict(bias.tree)}
+    facts = [
+        ("bias", Path(bias.file).name),
+        ("bias_sha256", file_hash(bias.file)),
+        *(("option", ("=", name, value)) for name, value in chosen.items()),
+        ("trained_episodes", progress.episodes),
+    ]
+    policy.save(output / "model.pl", facts)
+    summary = {
+        "nppg": __version__,
+        "prolog": ask("version"),
+        "python": platform.python_version(),
+        "numpy": np.__version__,
+        "domain": {"file": policy.domain.path.name, "sha256": policy.domain.hash, "parameters": policy.domain.parameters},
+        "bias": {"file": Path(bias.file).name, "sha256": file_hash(bias.file)},
+        "options": chosen,
+        "episodes": progress.episodes,
+        "trees": len(policy.trees),
+        "seconds": round(progress.seconds, 3),
+        "last": asdict(progress.curve[-1]) if progress.curve else None,
+    }
+    replacing(output / "run.json", lambda path: path.write_text(json.dumps(summary, indent=2) + "\n"))
+    if progress.curve:
+        replacing(output / "curve.csv", lambda path: _write_curve(path, progress.curve))
+        _draw(progress, output / "curve.png")
+
+
+def _write_curve(path: Path, curve: list[Point]) -> None:
+    with path.open("w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow([each.name for each in fields(Point)])
+        writer.writerows([getattr(point, each.name) for each in fields(Point)] for point in curve)
+
+
+def _draw(progress: Progress, path: Path) -> None:
+    try:
+        import matplotlib
+    except ImportError:
+        return
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(figsize=(7, 4), layout="constrained")
+    episodes = [point.episode for point in progress.curve]
+    exact = "exact" if progress.curve[-1].exact else "sampled"
+    axes.plot(episodes, [point.success for point in progress.curve], label=f"stochastic policy, {exact}")
+    axes.plot(episodes, [point.greedy_success for point in progress.curve], label=f"greedy policy, {exact}", alpha=0.6)
+    axes.plot(episodes, [point.recent for point in progress.curve], ":", label="recent training episodes", color="grey")
+    axes.set(xlabel="episodes", ylabel="success", ylim=(-0.02, 1.02), title=_title(progress))
+    axes.grid(alpha=0.3)
+    axes.legend(loc="lower right", frameon=False)
+    replacing(path, lambda temporary: figure.savefig(temporary, format="png", dpi=120))
+    pyplot.close(figure)
+
+
+def _title(progress: Progress) -> str:
+    parameters = ", ".join(f"{name} = {value}" for name, value in progress.policy.domain.parameters.items())
+    return f"{progress.policy.domain.name} ({parameters}), seed {progress.options.seed}: {len(progress.policy.trees)} trees"
