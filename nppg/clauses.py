@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from nppg.coverage import encoded
 from nppg.language_bias import LanguageBias, Template
-from nppg.logic import Literal, Query, Term, Var, solve_equalities, substitute
+from nppg.logic import Literal, Term, Var, solve_equalities, substitute
 from nppg.refinement import KIND
 from nppg.tree import Rule
 
@@ -53,17 +53,19 @@ def from_clause(head: list, body: list[list], value: float, bias: LanguageBias) 
             else:
                 terms[arg] = root
 
-    def read(args: list[ArgumentData]) -> Query:
+    def read(args: list[ArgumentData]) -> tuple[Term, ...]:
         fresh = len(bias.roots) + sum(var.index >= len(bias.roots) for var in terms.values() if isinstance(var, Var))
         for arg in args:
             if not isinstance(arg, list) and arg not in terms:
                 terms[arg] = Var(fresh)
                 fresh += 1
-        return tuple(arg[0] if isinstance(arg, list) else terms[arg] for arg in args)  # type: ignore[return-value]
+        return tuple(arg[0] if isinstance(arg, list) else terms[arg] for arg in args)
 
     if head:
         name, *args = head
-        kind = next((k for k, each in enumerate(bias.actions) if (each.name, len(each.types)) == (name, len(args))), None)
+        kind = next(
+            (k for k, each in enumerate(bias.actions) if (each.name, len(each.types)) == (name, len(args))), None
+        )
         if kind is None:
             raise ValueError(f"{name}/{len(args)} is no declared action")
         if len(bias.actions) > 1:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -86,7 +86,13 @@ def _parser() -> argparse.ArgumentParser:
         name = _RENAMED.get(field.name, field.name)
         _add_option(train, name, type(field.default), None, {"help": help})
     train.add_argument("--output", type=Path, help="folder for the files (default: runs/DOMAIN)")
-    train.add_argument("--evaluate-every", type=int, default=50, metavar="N", help="episodes between two points of the curve; 0: none (default: 50)")
+    train.add_argument(
+        "--evaluate-every",
+        type=int,
+        default=50,
+        metavar="N",
+        help="episodes between two points of the curve; 0: none (default: 50)",
+    )
     train.add_argument("--starts", type=int, default=200, help="starts of a sampled point of the curve (default: 200)")
     train.add_argument("--quiet", action="store_true", help="print nothing")
 
@@ -102,7 +108,7 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _add_option(parser: argparse.ArgumentParser, name: str, kind: type, default: object, about: dict) -> None:
+def _add_option(parser: argparse.ArgumentParser, name: str, kind: type, default: object, about: Mapping) -> None:
     shown = "" if default is None else f" (default: {default})"
     parser.add_argument(
         f"--{name.replace('_', '-')}",
@@ -151,7 +157,9 @@ def _bias_path(options: argparse.Namespace) -> Path:
     try:
         return locate(domain.stem, "language_bias", ".yaml")
     except NppgError:
-        raise NppgError([Problem(str(beside), 0, 0, "there is no language bias of the domain's name; give one by --bias")]) from None
+        raise NppgError(
+            [Problem(str(beside), 0, 0, "there is no language bias of this name; give one by --bias")]
+        ) from None
 
 
 def _doctor() -> int:
@@ -181,12 +189,13 @@ def _train(options: argparse.Namespace) -> int:
             raise NppgError(f"--{name} must be at least {least}, not {value}")
     domain, bias = _domain(options), LanguageBias.load(_bias_path(options))
     limits = {field.name: getattr(options, _RENAMED.get(field.name, field.name)) for field in fields(TreeLimits)}
-    bias = replace(bias, tree=replace(bias.tree, **{name: value for name, value in limits.items() if value is not None}))
+    given = {name: value for name, value in limits.items() if value is not None}
+    bias = replace(bias, tree=replace(bias.tree, **given))
     output = options.output or Path("runs") / domain.name
     report = (lambda progress: None) if options.quiet else _reporter(chosen)
     run(domain, bias, chosen, output, options.evaluate_every, options.starts, report)
     if not options.quiet:
-        print(f"written to {output}/: " + ", ".join(sorted(each.name for each in output.iterdir() if each.name[0] != ".")))
+        print(f"written to {output}/: " + ", ".join(sorted(each.name for each in output.glob("[!.]*"))))
     return 0
 
 
@@ -237,7 +246,8 @@ def _evaluate(options: argparse.Namespace) -> int:
     else:
         kind = "greedy" if result.greedy else "stochastic"
         over = f"all {result.starts:,} start states" if result.exact else f"{result.starts:,} sampled start states"
-        print(f"success of the {kind} policy over {over}: {result.success:.6f} ({result.mean_steps:.3f} steps on average)")
+        steps = f"{result.mean_steps:.3f} steps on average"
+        print(f"success of the {kind} policy over {over}: {result.success:.6f} ({steps})")
     return 0
 
 
@@ -263,7 +273,8 @@ def _play(options: argparse.Namespace) -> int:
     episode = generate_episode(policy, np.random.default_rng(options.seed))
     for number, step in enumerate(episode.steps, 1):
         print(*policy.domain.picture(step.state), "", f"step {number}", sep="\n")
-        for action, probability in sorted(zip(step.actions, step.probabilities, strict=True), key=lambda each: -each[1]):
+        pairs = zip(step.actions, step.probabilities, strict=True)
+        for action, probability in sorted(pairs, key=lambda pair: -pair[1]):
             mark = "->" if action is step.actions[step.chosen] else "  "
             print(f"  {mark} {probability:6.4f}  {_text(action)}")
         print()

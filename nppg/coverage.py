@@ -79,8 +79,8 @@ class TestTable:
                     touched.add((kind, arguments))
         for kind, arguments in sorted(touched):
             groups = self._groups[kind]
-            tests = [encoded(self.tests[column]) for column in groups.columns[arguments]]
-            words = [tests[i : i + WORD] for i in range(0, len(tests), WORD)]
+            group = [encoded(self.tests[column]) for column in groups.columns[arguments]]
+            words = [group[i : i + WORD] for i in range(0, len(group), WORD)]
             ask("tests", self.name, kind, [list(groups.columns).index(arguments), [i + 1 for i in arguments]], words)
             groups.update()
 

@@ -62,9 +62,7 @@ class ExactEvaluator:
             raise NppgError(f"the policy names {sorted(named)}, which the domain declares interchangeable")
         if self._answers.shape[1] != len(table) or not len(self._answers):
             rows = [
-                table.answers(state, actions)
-                if running
-                else np.zeros((len(actions), len(table)), bool)
+                table.answers(state, actions) if running else np.zeros((len(actions), len(table)), bool)
                 for state, actions, running in zip(space.states, space.actions, space.running, strict=True)
             ]
             distinct, inverse = np.unique(np.packbits(np.concatenate(rows), axis=1), axis=0, return_inverse=True)

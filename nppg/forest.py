@@ -100,7 +100,9 @@ class Forest:
         size = len(self._known)
         if size + len(fresh) > len(self._rows):
             room = 2 * (size + len(fresh))
-            self._rows = np.resize(self._rows[:size], (room, rows.shape[1])) if size else np.empty((room, rows.shape[1]), bool)
+            self._rows = (
+                np.resize(self._rows[:size], (room, rows.shape[1])) if size else np.empty((room, rows.shape[1]), bool)
+            )
             self._sums = np.resize(self._sums[:size], room) if size else np.empty(room)
         self._known |= {key: size + i for i, key in enumerate(new)}
         self._rows[size : size + len(fresh)] = fresh

@@ -130,8 +130,9 @@ class LanguageBias:
         return _Reader(str(path), _read(path)).bias()
 
     def check(self, predicates: Collection[tuple[str, int]], actions: Collection[tuple[str, int]]) -> list[Problem]:
-        """What the bias names and the domain does not have; `predicates` and `actions` are pairs of name and arity; no `actions`
-        means that they cannot be told without running the domain."""
+        """What the bias names and the domain does not have; `predicates` and `actions` are pairs of name and arity.
+
+        No `actions` means that they cannot be told without running the domain."""
         problems = []
 
         def look_up(what: str, item: Mode | Template, arity: int, known: Collection[tuple[str, int]]) -> None:

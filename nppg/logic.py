@@ -137,7 +137,10 @@ def reduced(query: Query, roots: int) -> Query:
 def _sort_key(literal: Literal) -> tuple:
     return (
         literal.name,
-        tuple((0, arg.index, "") if isinstance(arg, Var) else (1, 0, f"{type(arg).__name__} {arg}") for arg in literal.args),
+        tuple(
+            (0, arg.index, "") if isinstance(arg, Var) else (1, 0, f"{type(arg).__name__} {arg}")
+            for arg in literal.args
+        ),
     )
 
 

@@ -38,7 +38,11 @@ def write(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None:
         *(("parameter", ("=", name, value)) for name, value in domain.parameters.items()),
         *(("action", (each.name, *each.types) if each.types else each.name) for each in bias.actions),
         *([("goal", (bias.goal.name, *bias.goal.types))] if bias.goal else []),
-        *(("literal", (name, *types) if types else name) for name, types in bias.types.items() if name not in templates),
+        *(
+            ("literal", (name, *types) if types else name)
+            for name, types in bias.types.items()
+            if name not in templates
+        ),
         *facts,
         ("trees", len(policy.trees)),
     ]
@@ -109,7 +113,7 @@ def _bias(path: Path, known: Mapping[str, list], domain: Domain) -> LanguageBias
         if (each.name, len(each.types)) not in domain.predicates:
             near = suggestion(each.name, (name for name, _ in domain.predicates))
             raise _wrong(
-                path, 1, f"the domain {domain.path} does not have {each.name}/{len(each.types)}{near}: is it another one?"
+                path, 1, f"{domain.path} does not have {each.name}/{len(each.types)}{near}: is it another domain?"
             )
     types = {each.name: each.types for each in (*actions, *literals, *([goal] if goal else []))}
     return LanguageBias(str(path), actions, goal, types, {}, (), 0, 0, TreeLimits())

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, fields
+from dataclasses import Field, dataclass, field, fields
+from typing import Any
 
 from nppg.errors import NppgError, Problem
 
 
-def _option(default: object, help: str, **bounds: object) -> object:
+def _option(default: Any, help: str, **bounds: Any) -> Any:
     return field(default=default, metadata={"help": help, **bounds})
 
 
@@ -19,29 +20,32 @@ class Options:
     Raises NppgError for values that cannot be.
     """
 
-    episodes: int = _option(2000, "episodes in all", low=0)  # type: ignore[assignment]
-    seed: int = _option(0, "seed of the NumPy generator that all randomness comes from", low=0)  # type: ignore[assignment]
-    step_size: float = _option(1.0, "eta, by which each tree is multiplied", low=0)  # type: ignore[assignment]
-    discount: float = _option(1.0, "gamma, of the returns", low=0, high=1)  # type: ignore[assignment]
-    guidance: float = _option(0.1, "share of episodes that are traces of the domain's expert", low=0, high=1)  # type: ignore[assignment]
-    min_examples: int = _option(100, "a tree is grown once more examples than this have gathered", low=0)  # type: ignore[assignment]
-    episodes_per_iteration: int = _option(1, "least number of episodes between two trees", low=1)  # type: ignore[assignment]
-    horizon_factor: float = _option(1.0, "episodes end after this many times the domain's horizon", low=0)  # type: ignore[assignment]
-    update: str = _option("all", "actions that get an example: all, or taken (divided by its probability)", choices=("all", "taken"))  # type: ignore[assignment]
-    unrewarded: str = _option("keep", "what becomes of steps with return 0: keep, or drop", choices=("keep", "drop"))  # type: ignore[assignment]
+    episodes: int = _option(2000, "episodes in all", low=0)
+    seed: int = _option(0, "seed of the NumPy generator that all randomness comes from", low=0)
+    step_size: float = _option(1.0, "eta, by which each tree is multiplied", low=0)
+    discount: float = _option(1.0, "gamma, of the returns", low=0, high=1)
+    guidance: float = _option(0.1, "share of episodes that are traces of the domain's expert", low=0, high=1)
+    min_examples: int = _option(100, "a tree is grown once more examples than this have gathered", low=0)
+    episodes_per_iteration: int = _option(1, "least number of episodes between two trees", low=1)
+    horizon_factor: float = _option(1.0, "episodes end after this many times the domain's horizon", low=0)
+    update: str = _option(
+        "all", "actions that get an example: all, or taken (divided by its probability)", choices=("all", "taken")
+    )
+    unrewarded: str = _option("keep", "what becomes of steps with return 0: keep, or drop", choices=("keep", "drop"))
 
     def __post_init__(self) -> None:
-        wrong = [problem for each in fields(self) if (problem := _problem(each.name, getattr(self, each.name), each))]
+        wrong = [problem for each in fields(self) if (problem := _problem(each, getattr(self, each.name)))]
         if wrong:
             raise NppgError(Problem("", 0, 0, message) for message in wrong)
 
 
-def _problem(name: str, value: object, described: object) -> str:
-    bounds = described.metadata  # type: ignore[attr-defined]
+def _problem(option: Field, value: Any) -> str:
+    name, bounds = option.name, option.metadata
     if "choices" in bounds:
-        return "" if value in bounds["choices"] else f"{name} must be one of {', '.join(bounds['choices'])}, not {value!r}"
+        choices = bounds["choices"]
+        return "" if value in choices else f"{name} must be one of {', '.join(choices)}, not {value!r}"
     low, high = bounds["low"], bounds.get("high", math.inf)
-    whole = isinstance(described.default, int)  # type: ignore[attr-defined]
+    whole = isinstance(option.default, int)
     if isinstance(value, bool) or not isinstance(value, int if whole else (int, float)):
         return f"{name} must be a {'whole ' if whole else ''}number, not {value!r}"
     if math.isnan(value) or math.isinf(value) or not low <= value <= high:

@@ -89,7 +89,8 @@ def choose(probabilities: np.ndarray, rng: np.random.Generator, greedy: bool = F
     if greedy:
         best = np.flatnonzero(is_best(probabilities))
         return int(best[int(rng.random() * len(best))])
-    return int(min(np.searchsorted(probabilities.cumsum(), rng.random(), side="right"), len(probabilities) - 1))
+    drawn = int(np.searchsorted(probabilities.cumsum(), rng.random(), side="right"))
+    return min(drawn, len(probabilities) - 1)
 
 
 def is_best(probabilities: np.ndarray) -> np.ndarray:

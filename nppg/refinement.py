@@ -107,7 +107,7 @@ class Refiner:
         """The variables that a literal may use. The arguments of an action are there once its kind is known."""
         kinds = self.bias.actions
         known = [literal.args[0] for literal in core if literal.name == KIND] if len(kinds) > 1 else [0]
-        types = {}
+        types: dict[Var, str] = {}
         for kind, start in enumerate(self.bias.offsets):
             length = len(kinds[kind].types) if kind < len(kinds) else len(self.bias.roots) - start
             if kind in known or kind == len(kinds):
@@ -133,7 +133,8 @@ class Refiner:
                 choices.append(list(arg.constants))
                 continue
             old: list[Term | None] = [var for var, type_ in types.items() if self.bias.fits(type_, arg.type)]
-            choices.append({"+": old, "-": [None], "+-": [*old, None]}[arg.kind])
+            by_kind: dict[str, list[Term | None]] = {"+": old, "-": [None], "+-": [*old, None]}
+            choices.append(by_kind[arg.kind])
         for choice in product(*choices):
             fresh = iter(range(first, first + len(choice)))
             args = tuple(Var(next(fresh)) if term is None else term for term in choice)

@@ -159,11 +159,12 @@ def _point(progress: Progress, stochastic: Evaluation, greedy: Evaluation) -> Po
 def write_files(progress: Progress, bias: LanguageBias, output: Path) -> None:
     """Writes all files of a run, each under a temporary name first."""
     policy, options = progress.policy, progress.options
-    chosen = {**asdict(options), **asdict(bias.tree)}
+    domain = policy.domain
     facts = [
         ("bias", Path(bias.file).name),
         ("bias_sha256", file_hash(bias.file)),
-        *(("option", ("=", name, value)) for name, value in chosen.items()),
+        *(("option", ("=", name, value)) for name, value in asdict(options).items()),
+        *(("tree", ("=", name, value)) for name, value in asdict(bias.tree).items()),
         ("trained_episodes", progress.episodes),
     ]
     policy.save(output / "model.pl", facts)
@@ -172,9 +173,10 @@ def write_files(progress: Progress, bias: LanguageBias, output: Path) -> None:
         "prolog": ask("version"),
         "python": platform.python_version(),
         "numpy": np.__version__,
-        "domain": {"file": policy.domain.path.name, "sha256": policy.domain.hash, "parameters": policy.domain.parameters},
+        "domain": {"file": domain.path.name, "sha256": domain.hash, "parameters": domain.parameters},
         "bias": {"file": Path(bias.file).name, "sha256": file_hash(bias.file)},
-        "options": chosen,
+        "options": asdict(options),
+        "tree": asdict(bias.tree),
         "episodes": progress.episodes,
         "trees": len(policy.trees),
         "seconds": round(progress.seconds, 3),
@@ -201,7 +203,7 @@ def _draw(progress: Progress, path: Path) -> None:
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    figure, axes = pyplot.subplots(figsize=(7, 4), layout="constrained")
+    figure, axes = pyplot.subplots(figsize=(9, 4), layout="constrained")
     episodes = [point.episode for point in progress.curve]
     exact = "exact" if progress.curve[-1].exact else "sampled"
     axes.plot(episodes, [point.success for point in progress.curve], label=f"stochastic policy, {exact}")
@@ -209,11 +211,12 @@ def _draw(progress: Progress, path: Path) -> None:
     axes.plot(episodes, [point.recent for point in progress.curve], ":", label="recent training episodes", color="grey")
     axes.set(xlabel="episodes", ylabel="success", ylim=(-0.02, 1.02), title=_title(progress))
     axes.grid(alpha=0.3)
-    axes.legend(loc="lower right", frameon=False)
+    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
     replacing(path, lambda temporary: figure.savefig(temporary, format="png", dpi=120))
     pyplot.close(figure)
 
 
 def _title(progress: Progress) -> str:
     parameters = ", ".join(f"{name} = {value}" for name, value in progress.policy.domain.parameters.items())
-    return f"{progress.policy.domain.name} ({parameters}), seed {progress.options.seed}: {len(progress.policy.trees)} trees"
+    policy, seed = progress.policy, progress.options.seed
+    return f"{policy.domain.name} ({parameters}), seed {seed}: {len(policy.trees)} trees"

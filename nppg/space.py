@@ -80,7 +80,7 @@ class Space:
                             return _name(strange.pop())
                         if len(number) == self.limit:
                             raise NppgError(
-                                f"{self.domain.path}: more than {self.limit} classes of states; evaluate on sampled starts"
+                                f"{self.domain.path}: more than {self.limit} classes of states; evaluate on samples"
                             )
                         number[form] = len(self.states)
                         self.states.append(successor)

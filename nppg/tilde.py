@@ -43,7 +43,11 @@ def grow(targets: np.ndarray, coverage: Coverage, refiner: Refiner, limits: Tree
     def node(query: Query, members: np.ndarray, known: Known, depth: int) -> Tree:
         values = targets[members]
         leaf = Leaf(math.fsum(values) / max(len(values), 1), len(values))
-        if depth == limits.max_depth or len(values) < 2 * limits.min_examples or _variance(values) < limits.min_variance:
+        if (
+            depth == limits.max_depth
+            or len(values) < 2 * limits.min_examples
+            or _variance(values) < limits.min_variance
+        ):
             return leaf
         candidates = refiner.refinements(query)
         answers, known = coverage.matrix(candidates, members, known)

@@ -55,15 +55,17 @@ class Batch:
             self.targets.append(gradient)
 
 
-def train(domain: Domain, bias: LanguageBias, options: Options = Options()) -> Iterator[Iteration]:
+def train(domain: Domain, bias: LanguageBias, options: Options | None = None) -> Iterator[Iteration]:
     """Yields after each tree, the first time before the first one. Raises NppgError."""
+    options = options or Options()
     rng = np.random.default_rng(options.seed)
     refiner = Refiner(bias)
     policy = Policy(domain, bias, root_table(domain, bias, refiner))
     episodes = 0
     yield Iteration(policy, episodes, ())
     while episodes < options.episodes:
-        batch, recent = Batch(), []
+        batch = Batch()
+        recent: list[Episode] = []
         while episodes < options.episodes and (
             len(batch.states) <= options.min_examples or len(recent) < options.episodes_per_iteration
         ):

@@ -47,7 +47,8 @@ limit(Limit, true) :-
     set_inference_limit(Limit).
 
 version(Version) :-
-    current_prolog_flag(version, Version).
+    current_prolog_flag(version_data, swi(Major, Minor, Patch, _)),
+    atomic_list_concat([Major, Minor, Patch], '.', Version).
 
 %!  draw(+Module, -Facts) is det: a random start state, which becomes the current one.
 
