@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from nppg.runs import run
     from nppg.training import train
 
-__version__ = version("nppg")
+    __version__: str
 
 _HOME = {
     "Domain": "domain",
@@ -51,6 +51,8 @@ __all__ = [
 
 
 def __getattr__(name: str) -> object:
+    if name == "__version__":
+        return version("nppg")
     if name not in _HOME:
         raise AttributeError(f"module 'nppg' has no attribute '{name}'")
     return getattr(import_module(f"nppg.{_HOME[name]}"), name)

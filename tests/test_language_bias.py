@@ -392,6 +392,8 @@ def test_shipped_files(path: Path) -> None:
     text = path.read_text()
     assert text.startswith("# yaml-language-server: $schema=schema.json\n") and valid(text)
     bias = LanguageBias.load(path)
+    if not path.name.startswith("blocks_world"):
+        return
     assert bias.roots == ("block", "place", "block", "block")
     assert all(bias.fits("place", arg.type) for mode in bias.modes for arg in mode.args if arg.kind != "#")
     new = {mode.name for mode in bias.modes if any(arg.kind == "-" for arg in mode.args)}
@@ -399,7 +401,7 @@ def test_shipped_files(path: Path) -> None:
 
 
 def test_the_relational_bias_only_adds() -> None:
-    plain_bias, relational = map(LanguageBias.load, FILES)
+    plain_bias, relational = (LanguageBias.load(path) for path in FILES if path.name.startswith("blocks_world"))
     assert set(plain_bias.modes) < set(relational.modes)
     assert (plain_bias.types, plain_bias.tree) == (relational.types, relational.tree)
 
