@@ -1,0 +1,120 @@
+"""The learning curves of several seeds: one CSV, one picture, one summary in Markdown.
+
+python -m benchmarks.curves blocks_world --seeds 10 --output docs/on_ab
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import platform
+import tempfile
+from pathlib import Path
+from statistics import mean
+
+from nppg import Domain, LanguageBias, Options, run
+from nppg.runs import Progress
+from nppg.shipped import locate
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("domain")
+    parser.add_argument("--seeds", type=int, default=10, help="seeds 0 to N - 1")
+    parser.add_argument("--episodes", type=int, default=Options().episodes)
+    parser.add_argument("--output", type=Path, required=True)
+    chosen = parser.parse_args()
+    chosen.output.mkdir(parents=True, exist_ok=True)
+    runs = [_learn(chosen.domain, seed, chosen.episodes) for seed in range(chosen.seeds)]
+    _write_csv(runs, chosen.output / "curves.csv")
+    _write_summary(runs, chosen, chosen.output / "README.md")
+    _draw(runs, chosen.output / "curves.png")
+
+
+def _learn(name: str, seed: int, episodes: int) -> Progress:
+    domain, bias = Domain(name), LanguageBias.load(locate(name, "language_bias", ".yaml"))
+    with tempfile.TemporaryDirectory() as folder:
+        progress = run(domain, bias, Options(seed=seed, episodes=episodes), Path(folder))
+    last = progress.curve[-1]
+    print(f"seed {seed}: {last.success:.6f}, greedy {last.greedy_success:.6f}, {last.trees} trees, {last.seconds} s")
+    return progress
+
+
+def _write_csv(runs: list[Progress], path: Path) -> None:
+    with path.open("w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["seed", "episode", "trees", "success", "greedy_success"])
+        for each in runs:
+            for point in each.curve:
+                row = [each.options.seed, point.episode, point.trees, f"{point.success:.6f}", f"{point.greedy_success:.6f}"]
+                writer.writerow(row)
+
+
+def _write_summary(runs: list[Progress], chosen: argparse.Namespace, path: Path) -> None:
+    last = [each.curve[-1] for each in runs]
+    rows = [
+        f"| {each.options.seed} | {point.success:.6f} | {point.greedy_success:.6f} | {point.trees} | {point.seconds:.1f} |"
+        for each, point in zip(runs, last, strict=True)
+    ]
+    policy = runs[0].policy
+    success = [point.success for point in last]
+    lines = [
+        f"# {policy.domain.name}: {len(runs)} runs",
+        "",
+        f"`python -m benchmarks.curves {chosen.domain} --seeds {chosen.seeds} --episodes {chosen.episodes} "
+        f"--output {chosen.output}`",
+        "",
+        f"Domain parameters: {policy.domain.parameters}. Options: {_options(runs[0].options)}. Trees: {policy.bias.tree}.",
+        f"Python {platform.python_version()}, {platform.machine()}; seconds are those of training alone.",
+        "",
+        f"Success after {chosen.episodes} episodes, of the stochastic policy: mean {mean(success):.4f}, worst "
+        f"{min(success):.4f}; trees on average {mean(point.trees for point in last):.0f}; "
+        + ("exact, over all start states." if last[0].exact else "on sampled start states."),
+        "",
+        "![learning curves](curves.png)",
+        "",
+        "| seed | success | greedy | trees | seconds |",
+        "|---|---|---|---|---|",
+        *rows,
+    ]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def _options(options: Options) -> str:
+    shown = repr(options).removeprefix("Options(").removesuffix(")").split(", ")
+    return ", ".join(each for each in shown if not each.startswith("seed="))
+
+
+def _draw(runs: list[Progress], path: Path) -> None:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(figsize=(8, 4.5), layout="constrained")
+    for each in runs:
+        axes.plot(
+            [point.episode for point in each.curve],
+            [point.success for point in each.curve],
+            color="C0",
+            alpha=0.35,
+            linewidth=1,
+        )
+    grid = [sum(values) / len(runs) for values in zip(*(_at_grid(each) for each in runs), strict=True)]
+    axes.plot(range(0, 50 * len(grid), 50), grid, color="C0", linewidth=2.5, label=f"mean of {len(runs)} seeds")
+    axes.axhline(0.99, color="grey", linestyle=":", linewidth=1)
+    axes.set(xlabel="episodes", ylabel="success of the stochastic policy", ylim=(-0.02, 1.02))
+    axes.set_title(f"{runs[0].policy.domain.name}, {runs[0].policy.domain.parameters}")
+    axes.grid(alpha=0.3)
+    axes.legend(loc="lower right", frameon=False)
+    figure.savefig(path, dpi=110)
+
+
+def _at_grid(progress: Progress) -> list[float]:
+    """The success at every fiftieth episode: that of the last point before."""
+    grid = range(0, progress.episodes + 1, 50)
+    return [max((p.episode, p.success) for p in progress.curve if p.episode <= max(at, 0))[1] for at in grid]
+
+
+if __name__ == "__main__":
+    main()
