@@ -1,0 +1,46 @@
+"""What the README shows is what happens."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from nppg.cli import main
+
+README = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
+
+
+def blocks(language: str) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)
+
+
+@pytest.fixture
+def treasure(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    (tmp_path / "treasure.pl").write_text(blocks("prolog")[0])
+    (tmp_path / "treasure.yaml").write_text(blocks("yaml")[0])
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_the_worked_example_is_learned_and_its_first_tree_is_the_one_shown(
+    treasure: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["check", "treasure.pl"]) == 0
+    assert main(["train", "treasure.pl", "--evaluate-every", "0", "--quiet"]) == 0
+    capsys.readouterr()
+    assert main(["show", "runs/treasure/model.pl", "--tree", "1"]) == 0
+    assert capsys.readouterr().out.strip() == blocks("prolog")[1].strip()
+    arguments = ["evaluate", "runs/treasure/model.pl", "--greedy", "--set", "rooms=30", "--starts", "200", "--json"]
+    assert main(arguments) == 0
+    assert '"success": 1.0' in capsys.readouterr().out
+
+
+def test_the_python_example_runs(tmp_path: Path) -> None:
+    code = blocks("python")[0].replace('"language_bias/', f'"{Path(__file__).parent.parent}/language_bias/')
+    result = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True)
+    assert result.returncode == 0, result.stderr
+    assert "exact=True" in result.stdout and (tmp_path / "model.pl").exists()
