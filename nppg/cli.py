@@ -15,7 +15,7 @@ import numpy as np
 from nppg import __version__
 from nppg.errors import NppgError, Problem
 from nppg.language_bias import LanguageBias, TreeLimits
-from nppg.options import Options
+from nppg.options import Options, at_least
 from nppg.shipped import locate, shipped
 
 if TYPE_CHECKING:
@@ -184,9 +184,8 @@ def _train(options: argparse.Namespace) -> int:
     from nppg.runs import run
 
     chosen = Options(**{field.name: getattr(options, field.name) for field in fields(Options)})
-    for name, value, least in (("evaluate-every", options.evaluate_every, 0), ("starts", options.starts, 1)):
-        if value < least:
-            raise NppgError(f"--{name} must be at least {least}, not {value}")
+    at_least("evaluate-every", options.evaluate_every, 0)
+    at_least("starts", options.starts, 1)
     domain, bias = _domain(options), LanguageBias.load(_bias_path(options))
     limits = {field.name: getattr(options, _RENAMED.get(field.name, field.name)) for field in fields(TreeLimits)}
     given = {name: value for name, value in limits.items() if value is not None}
@@ -269,6 +268,7 @@ def _show(options: argparse.Namespace) -> int:
 def _play(options: argparse.Namespace) -> int:
     from nppg.episode import generate_episode
 
+    at_least("seed", options.seed, 0)
     policy = _load(options)
     episode = generate_episode(policy, np.random.default_rng(options.seed))
     for number, step in enumerate(episode.steps, 1):

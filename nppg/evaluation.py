@@ -10,6 +10,7 @@ import numpy as np
 from nppg.episode import generate_episode
 from nppg.errors import NppgError
 from nppg.gradient import gibbs
+from nppg.options import at_least
 from nppg.policy import Policy, is_best
 from nppg.space import Space
 
@@ -31,8 +32,8 @@ def evaluate(
     policy: Policy, starts: int = 1000, seed: int = 0, greedy: bool = False, horizon_factor: float = 1.0
 ) -> Evaluation:
     """Sampled: one episode from each of `starts` random start states, from a generator of its own."""
-    if starts < 1:
-        raise NppgError(f"starts must be at least 1, not {starts}")
+    at_least("starts", starts, 1)
+    at_least("seed", seed, 0)
     rng = np.random.default_rng([seed, 0x6E707067])
     successes, steps, total = 0, 0, 0.0
     for _ in range(starts):

@@ -9,6 +9,12 @@ from typing import Any
 from nppg.errors import NppgError, Problem
 
 
+def at_least(name: str, value: int, low: int) -> None:
+    """Raises NppgError for a value below `low`."""
+    if value < low:
+        raise NppgError(f"{name} must be at least {low}, not {value}")
+
+
 def _option(default: Any, help: str, **bounds: Any) -> Any:
     return field(default=default, metadata={"help": help, **bounds})
 

@@ -1,0 +1,7 @@
+"""`python -m nppg` is the command line."""
+
+import sys
+
+from nppg.cli import main
+
+sys.exit(main())
