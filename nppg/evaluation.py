@@ -9,7 +9,7 @@ import numpy as np
 
 from nppg.episode import generate_episode
 from nppg.errors import NppgError
-from nppg.gradient import gibbs
+from nppg.gradient import gibbs_of_groups
 from nppg.options import at_least
 from nppg.policy import Policy, is_best
 from nppg.space import Space
@@ -45,63 +45,57 @@ def evaluate(
 
 
 class ExactEvaluator:
-    """Evaluates policies of one domain over its whole state space; what does not depend on the policy, and each
-    pair's answers to the tests, are computed once."""
+    """Evaluates policies of one domain over its whole state space; what does not depend on the trees is computed
+    once. Raises NppgError where the domain has no goal or no finite space with a uniform start."""
 
     def __init__(self, policy: Policy, limit: int = 200_000):
         if not policy.domain.has_goal:
             raise NppgError(f"{policy.domain.path}: exact evaluation is about goal/0, which the domain does not define")
-        self.space = Space(policy.domain, limit)
         self.policy = policy
+        self.space = Space(policy.domain, limit)
+        self._first = np.flatnonzero(np.diff(self.space.owner, prepend=-1))  # pair of each running class
         self._answers = np.empty((0, 0), bool)
+        self._row = np.empty(0, int)  # of each pair among the distinct answers
 
     def potentials(self) -> np.ndarray:
-        """Psi of every pair of a running class and a legal action, in the order of the space; 0 for others."""
+        """Psi of each pair of the space."""
         space, table = self.space, self.policy.table
         named = {arg for test in table.tests for literal in test for arg in literal.args} & space.free
         if named:
             raise NppgError(f"the policy names {sorted(named)}, which the domain declares interchangeable")
-        if self._answers.shape[1] != len(table) or not len(self._answers):
-            rows = [
-                table.answers(state, actions) if running else np.zeros((len(actions), len(table)), bool)
-                for state, actions, running in zip(space.states, space.actions, space.running, strict=True)
-            ]
-            distinct, inverse = np.unique(np.packbits(np.concatenate(rows), axis=1), axis=0, return_inverse=True)
+        if len(self._row) == 0 or self._answers.shape[1] != len(table):
+            rows = [table.answers(*pairs) for pairs in zip(space.states, space.actions, strict=True) if pairs[1]]
+            distinct, self._row = np.unique(np.packbits(np.concatenate(rows), axis=1), axis=0, return_inverse=True)
             self._answers = np.unpackbits(distinct, axis=1, count=len(table)).astype(bool)
-            self._inverse = inverse.reshape(-1)
-        return self.policy.potentials_of(self._answers)[self._inverse]
+        return self.policy.potentials_of(self._answers)[self._row]
 
     def probabilities(self, greedy: bool = False) -> np.ndarray:
-        """pi(s, a) of every such pair; the greedy policy chooses evenly among the best actions."""
-        result = np.zeros(self.space.pairs[-1])
-        potentials = self.potentials()
-        for a, b, running in zip(self.space.pairs[:-1], self.space.pairs[1:], self.space.running, strict=True):
-            if running:
-                own = gibbs(potentials[a:b])
-                result[a:b] = is_best(own) / is_best(own).sum() if greedy else own
-        return result
+        """pi(s, a) of each pair of the space; the greedy policy chooses evenly among the best actions."""
+        probabilities = gibbs_of_groups(self.potentials(), self._first)
+        if not greedy:
+            return probabilities
+        sizes = np.diff(self._first, append=len(probabilities))
+        highest = np.repeat(np.maximum.reduceat(probabilities, self._first), sizes)
+        best = is_best(probabilities, highest).astype(float)
+        return best / np.repeat(np.add.reduceat(best, self._first), sizes)
 
     def evaluate(self, greedy: bool = False, horizon_factor: float = 1.0) -> Evaluation:
         """By backward induction: V_t(s), the probability to reach a goal state within t steps, and U_t(s), the
         expected number of steps when at most t are taken."""
         space = self.space
-        probabilities = self.probabilities(greedy)
-        flow = probabilities[space.origin] * space.weight
-        source = np.repeat(np.arange(len(space.states)), np.diff(space.pairs))[space.origin]
+        flow = self.probabilities(greedy)[space.origin] * space.weight
+        source = space.owner[space.origin]
+        running = np.array([status == "running" for status in space.status])
+        goal = np.array([float(status == "goal") for status in space.status])
         limits = np.array([math.ceil(horizon_factor * horizon) for horizon in space.horizons])
-        value, length = space.goal.astype(float), np.zeros(len(space.states))
-        success, steps = np.zeros(len(value)), np.zeros(len(value))
+        value, length = goal, np.zeros(len(goal))
+        success, steps = np.zeros(len(goal)), np.zeros(len(goal))
         for t in range(1, limits.max(initial=0) + 1):
-            value = np.where(
-                space.running, np.bincount(source, flow * value[space.target], len(value)), space.goal.astype(float)
-            )
-            length = np.where(space.running, 1 + np.bincount(source, flow * length[space.target], len(value)), 0.0)
+            value = goal + np.bincount(source, flow * value[space.target], len(goal))
+            length = running + np.bincount(source, flow * length[space.target], len(goal))
             success[limits == t], steps[limits == t] = value[limits == t], length[limits == t]
-        running = np.flatnonzero(space.running)
-        share = np.array([space.sizes[i] / space.starts for i in running])
-        return Evaluation(
-            math.fsum(share * success[running]), space.starts, True, greedy, math.fsum(share * steps[running])
-        )
+        share = np.array([size / space.starts for size in space.sizes]) * running
+        return Evaluation(math.fsum(share * success), space.starts, True, greedy, math.fsum(share * steps))
 
 
 def evaluate_exactly(policy: Policy, greedy: bool = False, horizon_factor: float = 1.0) -> Evaluation:

@@ -23,6 +23,13 @@ def gibbs(potentials: np.ndarray) -> np.ndarray:
     return weights / weights.sum()
 
 
+def gibbs_of_groups(potentials: np.ndarray, starts: np.ndarray) -> np.ndarray:
+    """The same for many states at once, the actions of each standing together from `starts` on."""
+    sizes = np.diff(starts, append=len(potentials))
+    weights = np.exp(potentials - np.repeat(np.maximum.reduceat(potentials, starts), sizes))
+    return weights / np.repeat(np.add.reduceat(weights, starts), sizes)
+
+
 def functional_gradient(probabilities: np.ndarray, chosen: int, value: float) -> np.ndarray:
     """The point-wise gradient of a step for every legal action b (Kersting and Driessens 2008, Proposition 3.1):
 

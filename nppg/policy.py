@@ -87,15 +87,15 @@ class Policy:
 def choose(probabilities: np.ndarray, rng: np.random.Generator, greedy: bool = False) -> int:
     """Draws an index by its probability; greedy: one of the most probable, each as likely as the others."""
     if greedy:
-        best = np.flatnonzero(is_best(probabilities))
+        best = np.flatnonzero(is_best(probabilities, probabilities.max()))
         return int(best[int(rng.random() * len(best))])
     drawn = int(np.searchsorted(probabilities.cumsum(), rng.random(), side="right"))
     return min(drawn, len(probabilities) - 1)
 
 
-def is_best(probabilities: np.ndarray) -> np.ndarray:
+def is_best(probabilities: np.ndarray, highest: np.ndarray | float) -> np.ndarray:
     """Which probabilities are the highest, but for rounding."""
-    return probabilities >= probabilities.max() * (1 - 1e-9)
+    return probabilities >= highest * (1 - 1e-9)
 
 
 def _scaled(tree: Tree, factor: float) -> Tree:

@@ -22,6 +22,10 @@ _DRAWN = 32  # starts that are held against the space
 class Space:
     """The classes of a domain's states, each with one representative.
 
+    `states`, `sizes`, `status`, `horizons` and `actions` have an entry for each class. The pairs of a running class
+    and one of its actions are numbered through; `owner` is the class of each pair. An outcome leads from the pair
+    `origin` to the class `target` with probability `weight`.
+
     Raises NppgError where the domain does not declare `uniform_start`, where there are more than `limit` classes,
     or where drawn starts contradict the declaration.
     """
@@ -41,8 +45,6 @@ class Space:
         while (changed := self._explore(drawn[0], objects, rigid)) is not None:
             rigid.discard(changed)
         self._check(drawn, objects)
-        self.running = np.array([status == "running" for status in self.status])
-        self.goal = np.array([status == "goal" for status in self.status])
 
     def _objects(self, state: State, predicate: str) -> list[Ground]:
         self.domain.visit(state)
@@ -68,9 +70,10 @@ class Space:
         pairs = 0
         for state in self.states:
             self.status.append(self.domain.situation(state).status)
-            self.horizons.append(self.domain.horizon(state) if self.status[-1] == "running" else 0)
+            running = self.status[-1] == "running"
+            self.horizons.append(self.domain.horizon(state) if running else 0)
             neighbours = self.domain.neighbours(state)
-            self.actions.append([action for action, _ in neighbours])
+            self.actions.append([action for action, _ in neighbours] if running else [])
             for _, outcomes in neighbours:
                 for probability, successor in outcomes:
                     form, symmetries = canonizer.form(successor)
@@ -85,10 +88,14 @@ class Space:
                         number[form] = len(self.states)
                         self.states.append(successor)
                         self.sizes.append(renamings // symmetries)
-                    origin.append(pairs)
-                    target.append(number[form])
-                    weight.append(probability)
-                pairs += 1
+                    if running:
+                        origin.append(pairs)
+                        target.append(number[form])
+                        weight.append(probability)
+                pairs += running
+        counts = [len(actions) for actions in self.actions]
+        self.owner = np.repeat(np.arange(len(counts)), counts)
+        self.origin, self.target, self.weight = np.array(origin), np.array(target), np.array(weight)
         self.free = free
         self.pairs = np.cumsum([0] + [len(actions) for actions in self.actions])
         self.origin, self.target, self.weight = np.array(origin), np.array(target), np.array(weight)
