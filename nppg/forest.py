@@ -38,10 +38,13 @@ class Forest:
     def add(self, tree: Tree, column_of: Callable[[Query], int]) -> None:
         """Adds a tree; `column_of` gives the place of a test's answer in a row."""
         depths: list[int] = []
+        start = len(self._column)
         self.roots.append(self._place(tree, column_of, 0, depths))
         self.depth = max(self.depth, *depths)
         self._arrays = None
-        if len(self._known):
+        if max(self._column[start:]) >= self._rows.shape[1]:  # the rows lack the answer to a new test
+            self._forget()
+        elif len(self._known):
             self._sums[: len(self._known)] += self._values(self._rows[: len(self._known)], len(self.roots) - 1)[:, 0]
 
     def _place(self, tree: Tree, column_of: Callable[[Query], int], depth: int, depths: list[int]) -> int:
