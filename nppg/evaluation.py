@@ -46,13 +46,14 @@ def evaluate(
 
 class ExactEvaluator:
     """Evaluates policies of one domain over its whole state space; what does not depend on the trees is computed
-    once. Raises NppgError where the domain has no goal or no finite space with a uniform start."""
+    once. `space` may come from another evaluator of the domain with the same parameters. Raises NppgError where the
+    domain has no goal or no finite space with a uniform start."""
 
-    def __init__(self, policy: Policy, limit: int = 200_000):
+    def __init__(self, policy: Policy, space: Space | None = None):
         if not policy.domain.has_goal:
             raise NppgError(f"{policy.domain.path}: exact evaluation is about goal/0, which the domain does not define")
         self.policy = policy
-        self.space = Space(policy.domain, limit)
+        self.space = space or Space(policy.domain)
         self._first = np.flatnonzero(np.diff(self.space.owner, prepend=-1))  # pair of each running class
         self._answers = np.empty((0, 0), bool)
         self._row = np.empty(0, int)  # of each pair among the distinct answers

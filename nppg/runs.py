@@ -21,6 +21,7 @@ from nppg.model import file_hash, replacing
 from nppg.options import Options
 from nppg.policy import Policy
 from nppg.prolog import ask
+from nppg.space import Space
 from nppg.training import Iteration, train
 
 _CLASSES = 20_000  # state spaces up to this size are evaluated exactly between the trees
@@ -133,7 +134,7 @@ def _judge(policy: Policy, starts: int, options: Options) -> Callable[[Policy], 
     factor = options.horizon_factor
     if policy.domain.uniform_start and policy.domain.has_goal:
         try:
-            exact = ExactEvaluator(policy, _CLASSES)
+            exact = ExactEvaluator(policy, Space(policy.domain, _CLASSES))
             return lambda _: (exact.evaluate(False, factor), exact.evaluate(True, factor))
         except NppgError:
             pass
