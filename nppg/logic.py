@@ -145,20 +145,21 @@ def _sort_key(literal: Literal) -> tuple:
 
 
 def canonical(query: Query, roots: int) -> Query:
-    """One representative of all queries that differ only by the names of existential variables and the
-    order of literals. Exact for up to six existential variables; beyond that variables keep their order
-    of occurrence, so equal queries may then be told apart but never confused."""
+    """Renames the existential variables so that queries which differ only by their names and by the order of
+    literals become equal as sets. The order stays: a literal may need the variables that an earlier one binds.
+    Exact for up to six existential variables; beyond that variables keep their order of occurrence, so equal
+    queries may then be told apart but never confused."""
     existential = sorted(var for var in variables(query) if var.index >= roots)
     if not existential:
-        return tuple(sorted(set(query), key=_sort_key))
+        return tuple(dict.fromkeys(query))
     names = [Var(roots + i) for i in range(len(existential))]
     orders = permutations(existential) if len(existential) <= 6 else [tuple(existential)]
-    renamed = (set(substitute(query, dict(zip(order, names, strict=True)))) for order in orders)
-    return min((tuple(sorted(each, key=_sort_key)) for each in renamed), key=lambda q: tuple(map(_sort_key, q)))
+    renamed = (substitute(query, dict(zip(order, names, strict=True))) for order in orders)
+    return tuple(dict.fromkeys(min(renamed, key=lambda each: sorted(map(_sort_key, set(each))))))
 
 
 def normal_form(query: Query, roots: int) -> Query | None:
-    """Equalities solved, redundancies removed, variables renamed: equal for θ-equivalent queries.
+    """Equalities solved, redundancies removed, variables renamed: for θ-equivalent queries equal as sets.
 
     Equalities between root variables stay as literals. Returns None for a query that cannot be true.
     """

@@ -23,7 +23,8 @@ class Refinement:
     """One candidate test of a node.
 
     Where the node's query holds, `literals` extend it to a query that holds exactly if `test` does: the
-    component that they are part of, in normal form. `prefix` is that component without them.
+    component that they are part of, in normal form and the same tuple whatever the order in which its literals were
+    added. `prefix` is that component without them.
     """
 
     literals: Query
@@ -39,6 +40,7 @@ class Refiner:
         self.root_count = len(bias.roots)
         self._by_query: dict[Query, tuple[Refinement, ...]] = {}
         self._by_core: dict[Query, tuple[Refinement, ...]] = {}
+        self._tests: dict[frozenset[Literal], Query] = {}
 
     def refinements(self, query: Query) -> tuple[Refinement, ...]:
         """All refinements of an associated query, in the order of the mode declarations."""
@@ -68,16 +70,17 @@ class Refiner:
         return max([self.root_count - 1, *(var.index for var in variables(query))]) + 1
 
     def _distinct(self, core: Query) -> Iterator[Refinement]:
-        seen = {normal_form(core, self.root_count), None}
+        seen = {frozenset(normal_form(core, self.root_count) or ())}
         existential = tuple(literal for literal in core if self._is_existential(literal))
         for literals in self._extensions(core):
             form = normal_form(core + literals, self.root_count)
-            if form not in seen:
-                seen.add(form)
+            if form is not None and frozenset(form) not in seen:
+                seen.add(frozenset(form))
                 parts = components(existential + literals, self.root_count)
                 own = next(part for part in parts if literals[0] in part)
                 test = normal_form(own, self.root_count)
                 assert test is not None
+                test = self._tests.setdefault(frozenset(test), test)
                 yield Refinement(literals, test, tuple(literal for literal in own if literal not in literals))
 
     def _extensions(self, core: Query) -> Iterator[Query]:
