@@ -7,12 +7,12 @@ to the query itself or to another one.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import product
 
 from nppg.language_bias import LanguageBias, Mode
-from nppg.logic import Literal, Query, Term, Var, components, normal_form, subsumes, variables
+from nppg.logic import Literal, Query, Term, Var, components, normal_form, solve_equalities, subsumes, substitute
 
 KIND = "$action"
 _MEMORY = 20_000
@@ -49,7 +49,7 @@ class Refiner:
             core = tuple(literal for literal in query if self._matters(literal))
             if core not in self._by_core:
                 self._by_core[core] = tuple(self._distinct(core))
-            found = tuple(each for each in self._by_core[core] if self._adds(each, query))
+            found = tuple(self._adding(self._by_core[core], query))
             if len(self._by_query) >= _MEMORY:
                 self._by_query.clear()
             self._by_query[query] = found
@@ -62,12 +62,14 @@ class Refiner:
     def _is_existential(self, literal: Literal) -> bool:
         return any(var.index >= self.root_count for var in literal.variables())
 
-    def _adds(self, refinement: Refinement, query: Query) -> bool:
-        """Whether the refinement is more special than the query."""
-        return not subsumes(refinement.literals, query, self._first_new(refinement, query))
-
-    def _first_new(self, refinement: Refinement, query: Query) -> int:
-        return max([self.root_count - 1, *(var.index for var in variables(query))]) + 1
+    def _adding(self, candidates: Iterable[Refinement], query: Query) -> Iterator[Refinement]:
+        """Those that make the query more special: whose test does not θ-subsume it already."""
+        theta, _ = solve_equalities(query, self.root_count)
+        given = substitute((literal for literal in query if literal.name != "="), theta)
+        for each in candidates:
+            test = substitute(each.test, {var: theta[var] for var in theta if var.index < self.root_count})
+            if not subsumes(test, given, self.root_count):
+                yield each
 
     def _distinct(self, core: Query) -> Iterator[Refinement]:
         seen = {frozenset(normal_form(core, self.root_count) or ())}
