@@ -146,5 +146,4 @@ class Refiner:
             taken = [arg for arg in args if isinstance(arg, Var)]
             if choice.count(None) > room or len(set(taken)) < len(taken):
                 continue
-            if mode.name != "=" or not isinstance(args[1], Var) or taken == sorted(taken):
-                yield Literal(mode.name, args)
+            yield Literal(mode.name, args)
