@@ -24,12 +24,11 @@ class Canonizer:
         self._shapes: dict[tuple, int] = {}
 
     def form(self, facts: Iterable[Ground]) -> tuple[Form, int]:
-        """The canonical form, and the number of renamings of the objects that map the set onto itself.
-
-        Objects that no fact names are left out of account: their renamings do not count.
-        """
-        parts = self._parts([self._encode(fact) for fact in facts])
-        symmetries = 1
+        """The canonical form, and the number of renamings of the objects that map the set onto itself; objects that
+        no fact names can be renamed among themselves."""
+        encoded = [self._encode(fact) for fact in facts]
+        parts = self._parts(encoded)
+        symmetries = math.factorial(len(self.objects.difference(*(args for _, args in encoded))))
         forms = []
         for part in parts:
             form, own = _part_form(part)
