@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+import sys
 from dataclasses import Field, dataclass, field, fields
 from typing import Any
 
@@ -50,10 +50,10 @@ def _problem(option: Field, value: Any) -> str:
     if "choices" in bounds:
         choices = bounds["choices"]
         return "" if value in choices else f"{name} must be one of {', '.join(choices)}, not {value!r}"
-    low, high = bounds["low"], bounds.get("high", math.inf)
+    low, high = bounds["low"], bounds.get("high", sys.float_info.max)
     whole = isinstance(option.default, int)
     if isinstance(value, bool) or not isinstance(value, int if whole else (int, float)):
         return f"{name} must be a {'whole ' if whole else ''}number, not {value!r}"
-    if math.isnan(value) or math.isinf(value) or not low <= value <= high:
+    if not low <= value <= high:  # so are NaN and infinity
         return f"{name} must be {f'from {low} to {high}' if 'high' in bounds else f'at least {low}'}, not {value!r}"
     return ""
