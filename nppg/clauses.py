@@ -6,6 +6,8 @@ Variables cross the bridge as numbers, constants in a list of one.
 
 from __future__ import annotations
 
+import sys
+
 from nppg.coverage import encoded
 from nppg.language_bias import LanguageBias, Template
 from nppg.logic import Literal, Term, Var, solve_equalities, substitute
@@ -40,6 +42,10 @@ def _literal(template: Template, offset: int) -> Literal:
 
 def from_clause(head: list, body: list[list], value: float, bias: LanguageBias) -> Rule:
     """The rule of a clause. Raises ValueError for what the bias does not declare."""
+    for name, *args in [head, *body] if head else body:
+        constants = [arg[0] for arg in args if isinstance(arg, list)]
+        if not isinstance(name, str) or not all(isinstance(each, str | int | float) for each in constants):
+            raise ValueError("a literal has a name, and constants and variables as arguments")
     terms: dict[int, Term] = {}
     query: list[Literal] = []
 
@@ -78,4 +84,6 @@ def from_clause(head: list, body: list[list], value: float, bias: LanguageBias) 
         if len(bias.types.get(name, ())) != len(args) or name not in bias.types:
             raise ValueError(f"{name}/{len(args)} is no declared predicate")
         query.append(Literal(name, read(args)))
+    if not abs(value) <= sys.float_info.max:
+        raise ValueError("the value of a rule is a finite number")
     return Rule(tuple(query), float(value))

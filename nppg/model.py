@@ -88,10 +88,11 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Policy:
         known.setdefault(key, []).append(value)
     if known.get("format") != [FORMAT]:
         raise _wrong(path, 1, f"model(format, {FORMAT}) is missing: written by another version of nppg?")
+    if Path(domain_file).name != domain_file:
+        raise _wrong(path, 1, f"the domain stands beside its model: {domain_file} cannot be its file")
     beside = path.parent / domain_file
     domain = Domain(
-        beside if beside.is_file() else Path(domain_file).stem,
-        {**{name: value for _, name, value in known.get("parameter", [])}, **parameters},
+        beside if beside.is_file() else Path(domain_file).stem, {**_parameters(path, known), **parameters}
     )
     policy = Policy(domain, _bias(path, known, domain))
     for rules in _trees(path, clauses, policy.bias, known):
@@ -99,9 +100,22 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Policy:
     return policy
 
 
+def _parameters(path: Path, known: Mapping[str, list]) -> dict[str, int | float | str]:
+    parameters = {}
+    for fact in known.get("parameter", []):
+        match fact:
+            case ("=", str(name), int(value) | float(value) | str(value)):
+                parameters[name] = value
+            case _:
+                raise _wrong(path, 1, f"model(parameter, Name=Value) is expected, not {fact}")
+    return parameters
+
+
 def _bias(path: Path, known: Mapping[str, list], domain: Domain) -> LanguageBias:
     def template(term: str | tuple) -> Template:
         name, *types = term if isinstance(term, tuple) else (term,)
+        if not all(isinstance(each, str) for each in (name, *types)):
+            raise _wrong(path, 1, f"a predicate with types is expected, not {term}")
         return Template(name, tuple(types))
 
     literals = [template(term) for term in known.get("literal", [])]
@@ -132,6 +146,8 @@ def _trees(path: Path, clauses: list, bias: LanguageBias, known: Mapping[str, li
         except ValueError as error:
             raise _wrong(path, line, str(error)) from None
         open_tree = final != "true"
+        if not open_tree and trees[-1][-1].query:
+            raise _wrong(path, line, "the last rule of a tree has to hold for all actions")
     if open_tree or known.get("trees") != [len(trees)]:
         raise _wrong(path, clauses[-1][0] if clauses else 1, "the model is cut off here: rules are missing")
     return trees

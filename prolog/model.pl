@@ -72,7 +72,9 @@ rule_text(Clause, Text) :-
         format(atom(Text), '~W :- ~w.', [Head, Options, BodyText])
     ).
 
-goals((Goal, Rest), [Goal|Goals]) :-
+goals(Body, [Goal|Goals]) :-
+    nonvar(Body),
+    Body = (Goal, Rest),
     !,
     goals(Rest, Goals).
 goals(Goal, [Goal]).
