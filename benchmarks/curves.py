@@ -46,7 +46,13 @@ def _write_csv(runs: list[Progress], path: Path) -> None:
         writer.writerow(["seed", "episode", "trees", "success", "greedy_success"])
         for each in runs:
             for point in each.curve:
-                row = [each.options.seed, point.episode, point.trees, f"{point.success:.6f}", f"{point.greedy_success:.6f}"]
+                row = [
+                    each.options.seed,
+                    point.episode,
+                    point.trees,
+                    f"{point.success:.6f}",
+                    f"{point.greedy_success:.6f}",
+                ]
                 writer.writerow(row)
 
 

@@ -77,7 +77,7 @@ class TreeLimits:
 
     max_depth: int = 4  # tests on the longest path; 0: the tree is one leaf
     min_examples: int = 2  # "minimal cases": each leaf holds at least so many examples
-    min_variance: float = 1e-6  # a node whose targets have less variance is a leaf
+    min_variance: float = 1e-9  # a node whose targets have less variance is a leaf
     significance: float = 1.0  # level of the F-test that a split must pass (ACE's ftest); 1.0 switches it off
 
     def __post_init__(self) -> None:
