@@ -10,7 +10,7 @@ setup:  ## make ready what is still missing: SWI-Prolog, .venv, nppg in it
 
 demo: setup  ## learn on(A,B) among ten blocks, show a rule, prove the success over all starts
 	$(bin)/nppg train blocks_world --seed 0 --episodes 2000 --evaluate-every 50 --output runs/demo
-	$(bin)/nppg show runs/demo/model.pl --tree 1
+	$(bin)/nppg show runs/demo/model.pl --tree 500
 	$(bin)/nppg evaluate runs/demo/model.pl --exact
 	@echo "The learning curve is in runs/demo/curve.png, the policy in runs/demo/model.pl."
 

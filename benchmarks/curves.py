@@ -59,8 +59,8 @@ def _write_csv(runs: list[Progress], path: Path) -> None:
 def _write_summary(runs: list[Progress], chosen: argparse.Namespace, path: Path) -> None:
     last = [each.curve[-1] for each in runs]
     rows = [
-        f"| {each.options.seed} | {point.success:.6f} | {point.greedy_success:.6f} | {point.trees} | {point.seconds:.1f} |"
-        for each, point in zip(runs, last, strict=True)
+        f"| {seed} | {point.success:.6f} | {point.greedy_success:.6f} | {point.trees} | {point.seconds:.1f} |"
+        for seed, point in enumerate(last)
     ]
     policy = runs[0].policy
     success = [point.success for point in last]
@@ -70,7 +70,8 @@ def _write_summary(runs: list[Progress], chosen: argparse.Namespace, path: Path)
         f"`python -m benchmarks.curves {chosen.domain} --seeds {chosen.seeds} --episodes {chosen.episodes} "
         f"--output {chosen.output}`",
         "",
-        f"Domain parameters: {policy.domain.parameters}. Options: {_options(runs[0].options)}. Trees: {policy.bias.tree}.",
+        f"Domain parameters: {policy.domain.parameters}. Options: {_options(runs[0].options)}.",
+        f"{policy.bias.tree}.",
         f"Python {platform.python_version()}, {platform.machine()}; seconds are those of training alone.",
         "",
         f"Success after {chosen.episodes} episodes, of the stochastic policy: mean {mean(success):.4f}, worst "
