@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import signal
 import weakref
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 
 from nppg import prolog_home
-from nppg.errors import NppgError, Problem
+from nppg.errors import NppgError, Problem, suggestion
 from nppg.shipped import shipped
 
 prolog_home.prepare()
@@ -29,10 +29,9 @@ _generator: np.random.Generator | None = None
 
 
 def uniform() -> float:
-    """The next number of the generator that a domain draws from; called by prolog/randomness.pl."""
-    if _generator is None:
-        raise RuntimeError("a domain asked for randomness where none was given")
-    return float(_generator.random())
+    """The next number of the generator that a domain draws from, -1 where there is none; called by
+    prolog/randomness.pl."""
+    return -1.0 if _generator is None else float(_generator.random())
 
 
 @contextmanager
@@ -53,13 +52,20 @@ def ask(question: str, *args: Any) -> Any:
     pressed under `interruptible`.
     """
     global _interrupted
-    done, value = janus_swi.apply_once("nppg_bridge", "ask", question, list(args))
+    try:
+        done, value = janus_swi.apply_once("nppg_bridge", "ask", question, list(args))
+    except janus_swi.PrologError:
+        done, value = janus_swi.apply_once("nppg_bridge", "ask", "aborted", [question])
     if _interrupted:
         _interrupted = False
         raise KeyboardInterrupt
     if not done:
-        raise NppgError(Problem(*problem) for problem in value)
+        raise NppgError(_problem(*each) for each in value)
     return value
+
+
+def _problem(file: str, line: int, column: int, message: str, name: str = "", known: Iterable[str] = ()) -> Problem:
+    return Problem(file, line, column, message + suggestion(name, known))
 
 
 @contextmanager

@@ -11,6 +11,7 @@
 :- use_module(model).
 :- use_module(potential).
 :- use_module(query_pack).
+:- use_module(report, [problems/2]).
 :- use_module(terms).
 
 /** <module> What Python asks
@@ -20,21 +21,32 @@ Every question is one predicate call(Name, Args..., Answer) below, with terms as
 
 %!  ask(+Name, +Args, -Answer) is det.
 %
-%   Answer is -(1, Value), or -(0, Problems) with Problems a list of -(File, Line, Column, Message).
+%   Answer is -(1, Value), or -(0, Problems); see report.pl.
 
 ask(Name, Args, Answer) :-
     append(Args, [Value], All),
     Goal =.. [Name|All],
     (   catch(Goal, Error, true)
-    ->  (   var(Error)
-        ->  Answer = -(1, Value)
-        ;   Error == '$aborted'
-        ->  throw(Error)
-        ;   problems(Error, Problems),
-            Answer = -(0, Problems)
-        )
-    ;   format(atom(Message), 'the question ~q failed', [Name]),
-        Answer = -(0, [-('', 0, 0, Message)])
+    ->  true
+    ;   Error = nppg_problems([-('', 0, 0, Message)]),
+        format(atom(Message), 'the question ~q failed', [Name])
+    ),
+    (   stopped(Fault)
+    ->  problems(Fault, Problems),
+        Answer = -(0, Problems)
+    ;   nonvar(Error)
+    ->  problems(Error, Problems),
+        Answer = -(0, Problems)
+    ;   Answer = -(1, Value)
+    ).
+
+%!  aborted(+Question, -Nothing): asked after a question that Prolog aborted; throws what was to blame.
+
+aborted(Question, _) :-
+    (   stopped(Fault)
+    ->  throw(Fault)
+    ;   format(atom(Message), 'Prolog aborted the question ~q', [Question]),
+        throw(nppg_problems([-('', 0, 0, Message)]))
     ).
 
 load(File, Parameters, [Module, Description]) :-

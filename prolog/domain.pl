@@ -15,12 +15,12 @@
 
 :- use_module(library(apply), [foldl/4]).
 :- use_module(library(lists), [append/3, member/2, memberchk/2]).
-:- use_module(library(occurs), [sub_term/2]).
 :- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
 :- use_module(library(prolog_codewalk), [prolog_walk_code/1]).
 :- use_module(guard).
 :- use_module(interpretation).
 :- use_module(randomness, []).
+:- use_module(report).
 
 /** <module> The contract of a domain file
 
@@ -43,41 +43,129 @@ beside itself.
 */
 
 :- op(1150, fx, user:[fluent, interchangeable]).
-:- thread_local loading/2, setting/2, heard/1.
+:- thread_local loading/3, setting/2, heard/1.
 :- dynamic defines/2, instances/1.
 instances(0).
 
 user:term_expansion(Term, Expansion) :-
-    loading(Module, Name),
+    loading(Module, Name, File),
+    nonvar(Term),
+    prolog_load_context(source, File),
+    source_location(_, Line),
+    nb_setval(nppg_line, Line),
     expansion(Term, Module, Name, Expansion).
 
-expansion((:- module(Name, Exports)), Module, Name, (:- module(Module, Exports))).
-expansion((:- fluent(Specs)), _, _, [(:- dynamic(Specs))|Facts]) :-
-    findall(nppg_fluent(Name/Arity), specified(Specs, Name/Arity), Facts).
-expansion((:- parameter(Parameter, Default)), _, _, [parameter(Parameter, Value)]) :-
-    (   setting(Parameter, Value)
-    ->  true
-    ;   Value = Default
-    ).
-expansion((:- uniform_start), _, _, [nppg_uniform_start]).
-expansion((:- interchangeable(Indicator)), _, _, [nppg_interchangeable(Indicator)]).
-
-specified((Specs, More), Indicator) :-
+expansion((:- Declaration), Module, Name, Expansion) :-
     !,
-    (   specified(Specs, Indicator)
-    ;   specified(More, Indicator)
+    nonvar(Declaration),
+    (   Declaration = module(Name, Exports)
+    ->  Expansion = [(:- module(Module, Exports)), (:- nppg_guard:forbid_halt(Module)),
+                     (:- discontiguous([nppg_fluent/1, nppg_interchangeable/1, parameter/2]))]
+    ;   declaration(Declaration, Module, Expansion)
     ).
-specified(Indicator, Indicator).
+expansion(Clause, Module, _, []) :-
+    (   Clause = (Head :- _)
+    ->  true
+    ;   Head = Clause
+    ),
+    callable(Head),
+    functor(Head, Name, Arity),
+    declared(Module, nppg_fluent(Name/Arity)),
+    wrong('~q is a fluent: its facts come from start/1 and the effects, not from the file'-[Name/Arity]).
+
+declaration(fluent(Specs), _, Clauses) :-
+    findall(Spec, specified(Specs, Spec), All),
+    findall(Clause, ( member(Spec, All), fluent_clause(Spec, Clause) ), Clauses).
+declaration(parameter(Parameter, Default), Module, Clauses) :-
+    (   \+ ( atom(Parameter), kind(Default, _) )
+    ->  declaration(parameter(_), Module, Clauses)
+    ;   declared(Module, parameter(Parameter, _))
+    ->  wrong('the parameter ~q is declared twice'-[Parameter]),
+        Clauses = []
+    ;   setting(Parameter, Value)
+    ->  must_fit(Parameter, Default, Value),
+        Clauses = [parameter(Parameter, Value)]
+    ;   Clauses = [parameter(Parameter, Default)]
+    ).
+declaration(parameter(_), _, []) :-
+    wrong('a parameter is declared by :- parameter(Name, Default), its default a name or a finite number'-[]).
+declaration(uniform_start, _, [nppg_uniform_start]).
+declaration(interchangeable(Spec), _, Clauses) :-
+    (   nonvar(Spec), Spec = Name/1, atom(Name)
+    ->  Clauses = [nppg_interchangeable(Spec)]
+    ;   wrong('interchangeable objects are declared by a predicate of one argument: :- interchangeable block/1'-[]),
+        Clauses = []
+    ).
+
+specified(Specs, Spec) :-
+    (   nonvar(Specs), ( Specs = (First, More) ; Specs = [First|More] )
+    ->  (   specified(First, Spec)
+        ;   specified(More, Spec)
+        )
+    ;   Specs \== [],
+        Spec = Specs
+    ).
+
+fluent_clause(Spec, Clause) :-
+    (   \+ ( nonvar(Spec), Spec = Name/Arity, atom(Name), integer(Arity), Arity >= 0 )
+    ->  wrong('a fluent is declared by its name and the number of its arguments: :- fluent on/2'-[]),
+        fail
+    ;   contract(Spec)
+    ->  wrong('~q is a predicate of the contract and can be no fluent'-[Spec]),
+        fail
+    ;   member(Clause, [(:- dynamic(Spec)), nppg_fluent(Spec)])
+    ).
+
+%   A parameter's value is of the kind of its default; an integer does for a float.
+
+must_fit(Parameter, Default, Value) :-
+    kind(Default, Wanted),
+    (   kind(Value, Given), memberchk(Given-Wanted, [Wanted-Wanted, 'a whole number'-'a finite number'])
+    ->  true
+    ;   wrong('the parameter ~q must be ~w, not ~q'-[Parameter, Wanted, Value])
+    ).
+
+kind(Value, Kind) :-
+    (   atom(Value)
+    ->  Kind = 'a name'
+    ;   integer(Value)
+    ->  Kind = 'a whole number'
+    ;   finite(Value)
+    ->  Kind = 'a finite number'
+    ).
+
+finite(Number) :-
+    number(Number),
+    (   float(Number)
+    ->  float_class(Number, Class),
+        \+ memberchk(Class, [nan, infinite])
+    ;   true
+    ).
+
+%   Notes a mistake in the term that is being read.
+
+wrong(Format-Args) :-
+    format(atom(Text), Format, Args),
+    located(wrong, File, Line, Column),
+    assertz(heard(-(File, Line, Column, Text))).
 
 user:thread_message_hook(Message, Kind, _) :-
-    loading(_, _),
+    loading(_, _, _),
     memberchk(Kind, [error, warning]),
     located(Message, File, Line, Column),
     explanation(Message, Text),
     assertz(heard(-(File, Line, Column, Text))).
 
-located(error(_, file(File, Line, Column, _)), File, Line, Column) :- !.
-located(error(_, stream(_, Line, Column, _)), File, Line, Column) :-
+syntax_error(-(_, _, _, Text)) :-
+    sub_atom(Text, 0, _, _, 'Syntax error').
+
+located(error(_, Context), File, Line, Column) :-
+    nonvar(Context),
+    Context = file(File, Line, Column, _),
+    !.
+located(error(_, Context), File, Line, Column) :-
+    nonvar(Context),
+    Context = stream(_, Line, Column, _),
     !,
     prolog_load_context(source, Id),
     source_file_name(Id, File).
@@ -109,39 +197,89 @@ load_domain(File, Parameters, Module, Description) :-
     retractall(setting(_, _)),
     forall(member([Key, Value], Parameters), assertz(setting(Key, Value))),
     setup_call_cleanup(
-        asserta(loading(Module, Name)),
+        asserta(loading(Module, Name, File)),
         load(File, Module),
-        retractall(loading(_, _))),
+        retractall(loading(_, _, _))),
     add_import_module(Module, nppg_randomness, start),
     findall(Problem, retract(heard(Problem)), Heard),
-    findall(Problem, mistake(Module, File, Parameters, Problem), Mistakes),
+    (   member(Problem, Heard), syntax_error(Problem)
+    ->  Mistakes = []                       % what could not be read would be taken for missing
+    ;   findall(Problem, mistake(Module, File, Parameters, Problem), Mistakes)
+    ),
     append(Heard, Mistakes, Problems),
     (   Problems == []
     ->  true
     ;   unload_domain(Module),
         sort(Problems, Sorted),
-        throw(nppg_problems(Sorted))
+        length(Sorted, Count1),
+        (   Count1 > 50
+        ->  length(First, 50),
+            append(First, _, Sorted),
+            More is Count1-50,
+            format(atom(Text), '~D more mistakes', [More]),
+            append(First, [-(File, 0, 0, Text)], Shown)
+        ;   Shown = Sorted
+        ),
+        throw(nppg_problems(Shown))
     ),
     forall(( contract(Indicator), defined(Module, Indicator) ),
            assertz(defines(Module, Indicator))),
     findall([Key, Value], description(Module, Name, Key, Value), Description).
 
 module_name(File, Name) :-
-    setup_call_cleanup(
-        open(File, read, In, [encoding(utf8)]),
-        catch(read(In, Term), _, Term = (:- module('', []))),
-        close(In)),
-    (   nonvar(Term), Term = (:- module(Name, _)), atom(Name)
+    catch(setup_call_cleanup(
+              open(File, read, In, [encoding(utf8)]),
+              first_term(In, Term),
+              close(In)),
+          Error,
+          ( explanation(Error, Text), throw(nppg_problems([-(File, 0, 0, Text)])) )),
+    (   nonvar(Term), Term = (:- module(Name, Exports)), atom(Name), is_list(Exports)
     ->  true
     ;   throw(nppg_problems([-(File, 1, 0, 'a domain starts with :- module(Name, []).')]))
     ).
 
+first_term(In, Term) :-
+    catch(read(In, Term), error(syntax_error(_), _), Term = none).
+
+%   Directives and term expansions may loop, too.
+
 load(File, Module) :-
     atomic_list_concat([File, Module], '#', Id),
-    setup_call_cleanup(
-        open(File, read, In, [encoding(utf8)]),
-        load_files(user:Id, [stream(In), if(true), imports([]), silent(true)]),
-        close(In)).
+    nb_setval(nppg_line, 1),
+    Limit = 100 000 000,
+    statistics(inferences, Before),
+    catch(setup_call_cleanup(
+              open(File, read, In, [encoding(utf8)]),
+              call_with_inference_limit(load_files(user:Id, [stream(In), if(true), imports([]), silent(true)]),
+                                        Limit, Result),
+              close(In)),
+          Error,
+          load_stopped(Error, File, Before, Limit)),
+    (   Result == inference_limit_exceeded
+    ->  load_problem(File, Limit, Problem),
+        assertz(heard(Problem))
+    ;   true
+    ).
+
+load_stopped(Error, File, Before, Limit) :-
+    (   Error \== '$aborted'
+    ->  explanation(Error, Text),
+        load_problem(File, Text, Problem),
+        assertz(heard(Problem))
+    ;   statistics(inferences, After),
+        (   After-Before >= Limit
+        ->  load_problem(File, Limit, Problem)
+        ;   load_problem(File, 'loading was aborted', Problem)
+        ),
+        stop_for(nppg_problems([Problem]))
+    ).
+
+load_problem(File, What, -(File, Line, 0, Text)) :-
+    nb_getval(nppg_line, Line),
+    (   integer(What)
+    ->  format(atom(Text), 'took more than ~D inferences to load (does a directive loop?)', [What])
+    ;   Text = What
+    ).
 
 unload_domain(Module) :-
     forget(Module),
@@ -185,16 +323,41 @@ mistake(Module, File, _, -(File, 1, 0, 'neither goal/0, terminal/0 nor reward/2 
     \+ defined(Module, goal/0),
     \+ defined(Module, terminal/0),
     \+ defined(Module, reward/2).
-mistake(Module, File, Parameters, -(File, 1, 0, Message)) :-
+mistake(Module, File, Parameters, -(File, 1, 0, Message, Key, Names)) :-
     findall(Name, parameter(Module, Name, _), Names),
     member([Key, _], Parameters),
     \+ memberchk(Key, Names),
-    format(atom(Message), 'there is no parameter ~q; the domain has ~q', [Key, Names]).
-mistake(Module, File, _, -(File, Line, 0, Message)) :-
+    (   Names == []
+    ->  Has = none
+    ;   atomic_list_concat(Names, ', ', Has)
+    ),
+    format(atom(Message), 'there is no parameter ~q; the domain has ~w', [Key, Has]).
+mistake(Module, File, _, -(File, 1, 0, Message)) :-
+    declared(Module, nppg_interchangeable(Name/1)),
+    \+ defined(Module, Name/1),
+    format(atom(Message), 'unknown predicate ~q, which is declared interchangeable', [Name/1]).
+mistake(Module, File, _, -(File, Line, 0, 'expansion in module user would change other domains, too: leave out user:')) :-
+    member(Name/Arity, [term_expansion/2, term_expansion/4, goal_expansion/2, goal_expansion/4]),
+    functor(Head, Name, Arity),
+    catch(clause(user:Head, _, Clause), _, fail),
+    clause_property(Clause, source(Id)),
+    sub_atom(Id, _, _, 0, Module),
+    clause_property(Clause, line_count(Line)).
+mistake(Module, File, _, -(File, Line, 0, Message, Name, Known)) :-
     findall(Undefined, undefined(Module, Undefined), All0),
     sort(All0, All),
+    findall(Other, ( All = [_|_], callable_name(Module, Other) ), Known),
     member(Line-(Name/Arity), All),
     format(atom(Message), 'unknown predicate ~q', [Name/Arity]).
+
+callable_name(Module, Name) :-
+    (   current_predicate(Module:Name/Arity),
+        defined(Module, Name/Arity)
+    ;   member(Name, [random, random_between, random_member, random_permutation])
+    ;   predicate_property(system:Head, defined),
+        functor(Head, Name, _),
+        \+ sub_atom(Name, 0, _, _, $)
+    ).
 
 %   Predicates that some clause of the domain calls and nobody defines.
 
@@ -237,15 +400,14 @@ description(Module, _, predicates, Predicates) :-
             ( current_predicate(Module:Name/Arity),
               defined(Module, Name/Arity),
               \+ contract(Name/Arity),
-              \+ memberchk(Name/Arity, [nppg_fluent/1, nppg_uniform_start/0, nppg_interchangeable/1, parameter/2]) ),
+              \+ memberchk(Name/Arity, [nppg_fluent/1, nppg_uniform_start/0, nppg_interchangeable/1, parameter/2, halt/0, halt/1]) ),
             Predicates0),
     sort(Predicates0, Predicates).
 description(Module, _, actions, Actions) :-
-    (   findall(Name-Arity,
-                ( clause(Module:action(Action), _),
-                  ( nonvar(Action) -> functor(Action, Name, Arity) ; throw(open) ) ),
-                Found)
-    ->  true
+    findall(Action, clause(Module:action(Action), _), Heads),
+    (   member(Head, Heads), \+ callable(Head)
+    ->  Found = []                          % they cannot be told without running the domain
+    ;   findall(Name-Arity, ( member(Head, Heads), functor(Head, Name, Arity) ), Found)
     ),
     sort(Found, Sorted),
     findall([Name, Arity], member(Name-Arity, Sorted), Actions).
@@ -280,19 +442,65 @@ start(Module, Facts) :-
 must_be_facts(Module, Source, Facts) :-
     (   is_list(Facts)
     ->  true
-    ;   fault(Module:Source, 'gave ~p where a list of facts is wanted'-[Facts])
+    ;   fault(Module:Source, 'gave ~w where a list of facts is wanted,'-[Facts])
     ),
     (   member(Fact, Facts), \+ fact(Module, Fact)
-    ->  fault(Module:Source, 'gave ~p, which is no ground fact of a declared fluent'-[Fact])
+    ->  defect(Fact, Defect),
+        fault(Module:Source, 'gave ~w, which is no fact of a declared fluent~w,'-[Fact, Defect])
     ;   true
     ).
 
 fact(Module, Fact) :-
-    ground(Fact),
     callable(Fact),
     functor(Fact, Name, Arity),
     Module:nppg_fluent(Name/Arity),
-    \+ ( sub_term(String, Fact), string(String) ).
+    proper(Fact).
+
+must_be_actions(Module, Source, Actions) :-
+    (   member(Action, Actions), \+ ( callable(Action), proper(Action) )
+    ->  defect(Action, Defect),
+        fault(Module:Source, 'gave ~w, which is no action~w,'-[Action, Defect])
+    ;   true
+    ).
+
+%   What can be compared, stored and handed to Python: finite, ground, made of names, integers and floats.
+
+proper(Term) :-
+    ground(Term),
+    acyclic_term(Term),
+    plain(Term).
+
+plain(Term) :-
+    (   compound(Term)
+    ->  compound_name_arity(Term, _, Arity),
+        plain_arguments(Arity, Term)
+    ;   atom(Term)
+    ->  true
+    ;   integer(Term)
+    ->  true
+    ;   float(Term)
+    ->  Term =:= Term
+    ;   Term == []
+    ).
+
+plain_arguments(N, Term) :-
+    (   N =:= 0
+    ->  true
+    ;   arg(N, Term, Arg),
+        plain(Arg),
+        Next is N-1,
+        plain_arguments(Next, Term)
+    ).
+
+defect(Term, Text) :-
+    (   \+ ground(Term)
+    ->  Text = ' (it has an unbound variable)'
+    ;   \+ acyclic_term(Term)
+    ->  Text = ' (it contains itself)'
+    ;   \+ plain(Term)
+    ->  Text = ' (only names, integers, floats and compounds of them can be part of one)'
+    ;   Text = ''
+    ).
 
 %!  status(+Module, -Status) is det.
 %
@@ -313,15 +521,13 @@ status(Module, Status) :-
 actions(Module, Actions) :-
     guarded_findall(Action, Module:(action/1), Module:action(Action), Found),
     sort(Found, Actions),
-    (   member(Action, Actions), \+ ground(Action)
-    ->  fault(Module:(action/1), 'gave ~p, which is not ground'-[Action])
-    ;   true
-    ).
+    must_be_actions(Module, action/1, Actions).
 
 experts(Module, Actions) :-
     (   defines(Module, expert/1)
     ->  guarded_findall(Action, Module:(expert/1), Module:expert(Action), Found),
-        sort(Found, Actions)
+        sort(Found, Actions),
+        must_be_actions(Module, expert/1, Actions)
     ;   Actions = []
     ).
 
@@ -342,9 +548,12 @@ picture(Module, Lines) :-
 horizon(Module, Steps) :-
     (   \+ defines(Module, horizon/1)
     ->  Steps = 100
-    ;   guarded(Module:(horizon/1), Module:horizon(Given)), integer(Given), Given >= 0
-    ->  Steps = Given
-    ;   fault(Module:(horizon/1), 'gave no number of steps'-[])
+    ;   guarded(Module:(horizon/1), Module:horizon(Given))
+    ->  (   integer(Given), Given >= 0, Given =< 1 000 000 000
+        ->  Steps = Given
+        ;   fault(Module:(horizon/1), 'gave ~w where a number of steps from 0 to 1000000000 is wanted,'-[Given])
+        )
+    ;   fault(Module:(horizon/1), failed-[])
     ).
 
 %!  outcomes(+Module, +Action, -Outcomes) is det.
@@ -356,14 +565,15 @@ outcomes(Module, Action, Outcomes) :-
     interpretation(Module, Facts),
     findall(Outcome, outcome(Module, Action, Facts, Outcome), Outcomes),
     (   Outcomes == []
-    ->  fault(Module:(action/1), 'allows ~p, which no effect covers,'-[Action])
+    ->  fault(Module:(action/1), 'allows ~w, which no effect covers,'-[Action])
     ;   Outcomes = [1-_]
     ->  true
     ;   foldl(add_probability, Outcomes, 0, Sum),
-        abs(Sum-1) < 1.0e-9
-    ->  true
-    ;   length(Outcomes, Count),
-        fault(Module:(action/1), 'allows ~p, which has ~d effects whose probabilities do not sum to 1,'-[Action, Count])
+        (   abs(Sum-1) < 1.0e-9
+        ->  true
+        ;   length(Outcomes, Count),
+            fault(Module:(action/1), 'allows ~w, which has ~d outcomes whose probabilities sum to ~4f and not to 1,'-[Action, Count, Sum])
+        )
     ).
 
 add_probability(Probability-_, Sum0, Sum) :-
@@ -381,7 +591,7 @@ outcome(Module, Action, Facts, Probability-Successor) :-
         member(c(Probability, Delete, Add), Changes),
         (   number(Probability), Probability > 0, Probability =< 1
         ->  true
-        ;   fault(Module:(effect/4), 'gave ~p as the probability of an outcome of ~p'-[Probability, Action])
+        ;   fault(Module:(effect/4), 'gave ~w as the probability of an outcome of ~w'-[Probability, Action])
         )
     ),
     must_be_facts(Module, Source, Delete),
@@ -397,9 +607,12 @@ outcome(Module, Action, Facts, Probability-Successor) :-
 
 reward(Module, Action, Reward) :-
     (   defines(Module, reward/2)
-    ->  (   guarded(Module:(reward/2), Module:reward(Action, Given)), number(Given)
-        ->  Reward = Given
-        ;   fault(Module:(reward/2), 'gave no number for ~p'-[Action])
+    ->  (   guarded(Module:(reward/2), Module:reward(Action, Given))
+        ->  (   finite(Given)
+            ->  Reward = Given
+            ;   fault(Module:(reward/2), 'gave ~w where a finite number is wanted, for the action ~w'-[Given, Action])
+            )
+        ;   fault(Module:(reward/2), 'failed for the action ~w'-[Action])
         )
     ;   status(Module, goal)
     ->  Reward = 1
@@ -424,7 +637,11 @@ binding(Module, Name, Arity, Values) :-
     guarded_findall(Goal, Module:(Name/Arity), Module:Goal, Answers0),
     sort(Answers0, Answers),
     (   Answers = [Answer]
-    ->  Answer =.. [_|Values]
+    ->  (   proper(Answer)
+        ->  Answer =.. [_|Values]
+        ;   defect(Answer, Defect),
+            fault(Module:(Name/Arity), 'gave ~w as the goal~w,'-[Answer, Defect])
+        )
     ;   length(Answers, Count),
         fault(Module:(Name/Arity), 'is the goal template of the language bias and must have one answer, but has ~d'-[Count])
     ).

@@ -4,12 +4,12 @@
             fault/2,             % +Module, +Format-Args     throws
             inference_limit/1,   % ?Limit                    det
             set_inference_limit/1, % +Limit                  det
-            problems/2,          % +Exception, -Problems     det
-            explanation/2        % +Message, -Line           det
+            stopped/1,           % -Fault                    semidet
+            stop_for/1,          % +Fault                    det
+            forbid_halt/1        % +Module                   det
           ]).
 
-:- use_module(library(apply), [exclude/3]).
-:- use_module(interpretation).
+:- use_module(library(lists), [member/2]).
 
 /** <module> Running a domain's code safely
 
@@ -34,7 +34,7 @@ set_inference_limit(Limit) :-
 guarded(Predicate, Goal) :-
     inference_limit(Limit),
     statistics(inferences, Before),
-    (   catch(call_with_inference_limit(Goal, Limit, Result), Error, true)
+    (   catch(call_with_inference_limit(Goal, Limit, Result), Error, note_abort(Error, Predicate, Limit, Before))
     ->  true
     ;   Result = failed
     ),
@@ -57,59 +57,71 @@ guarded_findall(Template, Predicate, Goal, Answers) :-
 fault(Predicate, Message) :-
     throw(nppg_fault(Predicate, Message)).
 
-%!  problems(+Exception, -Problems) is det.
+%!  stopped(-Fault) is semidet.
 %
-%   The exception as a list of tuples -(File, Line, Column, Message) for Python.
+%   The fault that ended a question without an exception: Prolog was about to abort, or to halt.
 
-problems(nppg_problems(Problems), Problems) :- !.
-problems(nppg_fault(Predicate, What), [-(File, Line, 0, Text)]) :-
-    !,
-    (   Predicate = Module:Indicator
-    ->  place(Predicate, File, Line),
-        format(string(Name), '~q ', [Indicator])
-    ;   Module = Predicate,
-        File = '', Line = 0, Name = ""
-    ),
-    interpretation(Module, Facts),
-    what(What, Module, Explanation),
-    format(atom(Text), '~w~w in the state ~q', [Name, Explanation, Facts]).
-problems(Error, [-('', 0, 0, Text)]) :-
-    explanation(Error, Explanation),
-    format(atom(Text), 'Prolog: ~w', [Explanation]).
+:- dynamic stop/1.
 
-place(Module:Name/Arity, File, Line) :-
-    functor(Head, Name, Arity),
-    (   predicate_property(Module:Head, file(File)),
-        predicate_property(Module:Head, line_count(Line))
-    ->  true
-    ;   File = '', Line = 0
+stopped(Fault) :-
+    stop(Fault),
+    retractall(stop(_)).
+
+stop_for(Fault) :-
+    retractall(stop(_)),
+    assertz(stop(Fault)).
+
+%   An abort unwinds Prolog up to Python whoever catches it, so what it was about is left behind. Domain code
+%   that swallows the limit's exception would run on without limit: there the exception becomes an abort.
+
+note_abort(Error, Predicate, Limit, Before) :-
+    (   Error == '$aborted'
+    ->  statistics(inferences, After),
+        (   After - Before >= Limit
+        ->  stop_for(nppg_fault(Predicate, inference_limit(Limit)))
+        ;   stop_for(nppg_fault(Predicate, 'called abort/0'-[]))
+        )
+    ;   true
     ).
 
-what(inference_limit(Limit), _, Text) :-
-    !,
-    format(string(Text), 'took more than ~D inferences (does it loop?)', [Limit]).
-what(Format-Args, _, Text) :-
-    atomic(Format),
-    !,
-    format(string(Text), Format, Args).
-what(Error, Module, Text) :-
-    explanation(Error, Explanation),
-    format(string(Prefix), '~q:', [Module]),
-    atomic_list_concat(Parts, Prefix, Explanation),
-    atomic_list_concat([threw, ' '|Parts], Text).
+:- multifile prolog:prolog_exception_hook/5.
+:- dynamic prolog:prolog_exception_hook/5.
 
-%!  explanation(+Error, -Line) is det.
+prolog:prolog_exception_hook(Ball, '$aborted', _, Catcher, _) :-
+    nonvar(Ball),
+    functor(Ball, inference_limit_exceeded, _),
+    integer(Catcher),
+    \+ ( prolog_frame_attribute(Catcher, parent, Parent),
+         prolog_frame_attribute(Parent, predicate_indicator, system:call_with_inference_limit/3) ).
+
+%!  forbid_halt(+Module) is det.
 %
-%   The message that Prolog itself would print, on one line and without the place and the context, which
-%   name the internals of a call and not the user's file.
+%   Makes halt/0 and halt/1 throw where code of the module calls them.
 
-explanation(Error, Line) :-
-    (   Error = error(Formal, _)
-    ->  Short = error(Formal, _)
-    ;   Short = Error
-    ),
-    phrase(prolog:translate_message(Short), Parts),
-    with_output_to(string(Text), print_message_lines(current_output, '', Parts)),
-    split_string(Text, "\n", " \t", Lines),
-    exclude(==(""), Lines, Kept),
-    atomic_list_concat(Kept, ' ', Line).
+forbid_halt(Module) :-
+    forall(member(Head, [halt, halt(_)]),
+           ( functor(Head, Name, Arity),
+             redefine_system_predicate(Module:Head),
+             assertz((Module:Head :- throw(nppg_halt))),
+             compile_predicates([Module:Name/Arity]) )).
+
+%   Where other code calls them for a domain they fail, and the question is answered by a fault. Prolog allows
+%   that ten times.
+
+:- at_halt(nppg_guard:refuse_halt).
+
+refuse_halt :-
+    prolog_current_frame(Frame),
+    (   prolog_frame_attribute(Frame, parent_goal, nppg_guard:guarded(Predicate, _))
+    ->  stop_for(nppg_fault(Predicate, 'called halt/0'-[])),
+        cancel_halt(nppg)
+    ;   prolog_frame_attribute(Frame, parent_goal, nppg_domain:load_domain(File, _, _, _))
+    ->  stop_for(nppg_problems([-(File, 0, 0, 'loading the file called halt/0')])),
+        cancel_halt(nppg)
+    ;   true
+    ).
+
+:- multifile user:message_hook/3.
+:- dynamic user:message_hook/3.
+
+user:message_hook(cancel_halt(nppg), _, _).

@@ -2,6 +2,7 @@
           [ interpret/2,         % +Module, +Facts       det
             interpretation/2,    % +Module, -Facts       det
             change/3,            % +Module, +Delete, +Add  det
+            tampered/1,          % +Module               semidet
             forget/1             % +Module               det
           ]).
 
@@ -27,7 +28,7 @@ interpret(Module, Facts) :-
     interpretation(Module, Old),
     ord_subtract(Old, Facts, Gone),
     ord_subtract(Facts, Old, New),
-    forall(member(Fact, Gone), once(retract(Module:Fact))),
+    forall(member(Fact, Gone), ignore(retract(Module:Fact))),
     forall(member(Fact, New), assertz(Module:Fact)),
     retractall(current(Module, _)),
     assertz(current(Module, Facts)).
@@ -39,6 +40,19 @@ change(Module, Delete, Add) :-
     ord_subtract(Old, Gone, Kept),
     ord_union(Kept, New, Facts),
     interpret(Module, Facts).
+
+%!  tampered(+Module) is semidet.
+%
+%   True where the fluents are not those of the current state, because some code asserts or retracts them.
+
+tampered(Module) :-
+    interpretation(Module, Facts),
+    catch(findall(Head,
+                  ( Module:nppg_fluent(Name/Arity), functor(Head, Name, Arity), clause(Module:Head, true) ),
+                  Stored),
+          _, fail),
+    msort(Stored, Sorted),
+    Sorted \== Facts.
 
 forget(Module) :-
     retractall(current(Module, _)).

@@ -7,8 +7,8 @@
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, member/2, nth0/3, nth1/3]).
 :- use_module(library(readutil), [read_file_to_string/3]).
-:- use_module(guard, [explanation/2]).
 :- use_module(potential, [rule/3]).
+:- use_module(report, [explanation/2]).
 :- use_module(terms).
 
 /** <module> Model files

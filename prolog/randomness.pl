@@ -20,7 +20,11 @@ comes from the NumPy generator that the caller handed over, so a seed reproduces
 %   Uniform in [0, 1).
 
 random(Float) :-
-    py_call('nppg.prolog':uniform(), Float).
+    py_call('nppg.prolog':uniform(), Drawn),
+    (   Drawn >= 0
+    ->  Float = Drawn
+    ;   throw(nppg_unseeded)
+    ).
 
 random_between(Low, High, Integer) :-
     Low =< High,

@@ -8,14 +8,17 @@
 
 /** <module> Terms as data for Python
 
-A ground term crosses the bridge as an atom, a number or a tuple -(Name, Args...). A literal of a query
+A ground term crosses the bridge as an atom, a number or a tuple -(Name, Args...); the empty list, which is no
+atom and in Python no constant, crosses as -('[]'). A literal of a query
 crosses as a list [Name, Args...] in which an argument is the number of a variable or a list [Constant].
 */
 
 encode(Term, Data) :-
-    (   atomic(Term)
+    (   Term == []
+    ->  Data = -('[]')
+    ;   atomic(Term)
     ->  Data = Term
-    ;   Term =.. [Name|Args],
+    ;   compound_name_arguments(Term, Name, Args),
         maplist(encode, Args, Encoded),
         Data =.. [-, Name|Encoded]
     ).
@@ -23,9 +26,11 @@ encode(Term, Data) :-
 decode(Data, Term) :-
     (   atomic(Data)
     ->  Term = Data
+    ;   Data = -('[]')
+    ->  Term = []
     ;   Data =.. [-, Name|Encoded],
         maplist(decode, Encoded, Args),
-        Term =.. [Name|Args]
+        compound_name_arguments(Term, Name, Args)
     ).
 
 literal([Name|Data], Variables, Literal) :-
