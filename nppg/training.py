@@ -10,6 +10,7 @@ import numpy as np
 from nppg.coverage import Coverage, root_table
 from nppg.domain import Action, Domain, State
 from nppg.episode import Episode, generate_episode
+from nppg.errors import NppgError, Problem
 from nppg.gradient import functional_gradient, returns, taken_gradient
 from nppg.language_bias import LanguageBias
 from nppg.options import Options
@@ -17,6 +18,8 @@ from nppg.policy import Policy
 from nppg.refinement import Refiner
 from nppg.tilde import grow
 from nppg.tree import leaves
+
+_IDLE = 1000  # episodes in a row without a step, after which there is nothing to wait for
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +64,7 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None) ->
     rng = np.random.default_rng(options.seed)
     refiner = Refiner(bias)
     policy = Policy(domain, bias, root_table(domain, bias, refiner))
-    episodes = 0
+    episodes = idle = 0
     yield Iteration(policy, episodes, ())
     while episodes < options.episodes:
         batch = Batch()
@@ -72,6 +75,10 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None) ->
             recent.append(generate_episode(policy, rng, options.guidance, options.horizon_factor))
             batch.add(recent[-1], options)
             episodes += 1
+            idle = 0 if recent[-1].steps else idle + 1
+            if idle == _IDLE:
+                message = f"{idle} episodes took no step: their starts were goal or terminal states, or the horizon 0"
+                raise NppgError([Problem(str(domain.path), 0, 0, message)])
         if len(batch.states) > options.min_examples:
             coverage = Coverage(policy.table, batch.states, batch.actions, np.concatenate(batch.answers))
             tree = grow(np.concatenate(batch.targets), coverage, refiner, bias.tree)
