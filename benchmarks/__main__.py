@@ -1,0 +1,77 @@
+"""Prints the table of docs/performance.md.
+
+python -m benchmarks [NAME...] [--write docs/performance.md]     NAME: coverage, one_tree, potentials, training
+python -m benchmarks profile [--write docs/performance.md]       where the time of a training run goes
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import platform
+from collections.abc import Iterator
+from importlib import import_module
+from pathlib import Path
+
+from benchmarks.common import Row
+
+NAMES = ("coverage", "one_tree", "potentials", "training")
+HEAD = "| what | measured | against | target | met |\n|---|---|---|---|---|"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks", description="The speed table of docs/performance.md.")
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"{', '.join(NAMES)} (the default), or profile")
+    parser.add_argument("--write", type=Path, metavar="FILE", help="also put it between the markers in FILE")
+    chosen = parser.parse_args()
+    if wrong := set(chosen.names) - {*NAMES, "profile"}:
+        parser.error(f"there is no benchmark {', '.join(sorted(wrong))}")
+    names = [each for each in chosen.names if each != "profile"] or ([] if chosen.names else NAMES)
+    if names:
+        lines = [machine(), "", *HEAD.split("\n")]
+        print("\n".join(lines), flush=True)
+        for row in (row for name in names for row in import_module(f"benchmarks.{name}").rows()):
+            lines.append(line(row))
+            print(lines[-1], flush=True)
+        splice(chosen.write, "table", "\n".join(lines))
+    if "profile" in chosen.names:
+        text = import_module("benchmarks.profile").table()
+        print(text)
+        splice(chosen.write, "profile", text)
+
+
+def line(row: Row) -> str:
+    met = {True: "yes", False: "NO", None: ""}[row.met]
+    return f"| {row.what} | {row.measured} | {row.compared} | {row.target} | {met} |"
+
+
+def machine() -> str:
+    from nppg.prolog import ask
+
+    return (
+        f"{_processor()}, {os.cpu_count()} cores; {platform.system()}, Python {platform.python_version()}, "
+        f"SWI-Prolog {ask('version')}."
+    )
+
+
+def _processor() -> str:
+    """The processor's model, where the system tells it."""
+
+    def models() -> Iterator[str]:
+        for each in Path("/proc/cpuinfo").read_text().splitlines() if Path("/proc/cpuinfo").exists() else ():
+            if each.startswith("model name"):
+                yield each.split(":", 1)[1].strip()
+
+    return next(models(), platform.processor() or platform.machine())
+
+
+def splice(path: Path | None, name: str, text: str) -> None:
+    """Replaces what stands between the markers <!-- name --> and <!-- /name --> of a file."""
+    if path:
+        before, rest = path.read_text().split(f"<!-- {name} -->\n", 1)
+        after = rest.split(f"<!-- /{name} -->", 1)[1]
+        path.write_text(f"{before}<!-- {name} -->\n{text}\n<!-- /{name} -->{after}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,33 @@
+"""What the benchmarks share: rows of the table, random examples, a clock."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from nppg.domain import Action, Domain, State
+
+
+class Row(NamedTuple):
+    """A line of the table. `met` says whether the target is; None where there is none."""
+
+    what: str
+    measured: str
+    compared: str = ""
+    target: str = ""
+    met: bool | None = None
+
+
+def timed(function: Callable[[], Any]) -> tuple[float, Any]:
+    """The seconds that a call takes, and what it gives."""
+    start = time.perf_counter()
+    value = function()
+    return time.perf_counter() - start, value
+
+
+def random_pairs(domain: Domain, states: int, rng: np.random.Generator) -> list[tuple[State, list[Action]]]:
+    """Start states, each with its legal actions."""
+    return [(state, domain.situation(state).actions) for state in (domain.start(rng) for _ in range(states))]

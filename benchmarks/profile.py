@@ -1,0 +1,87 @@
+"""Where the time of a training run goes: the share of every question to Prolog and of every stage in Python."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import nppg.episode
+import nppg.evaluation
+import nppg.prolog
+import nppg.tilde
+import nppg.training
+from benchmarks.common import timed
+from benchmarks.training import learn
+from nppg.coverage import Coverage, TestTable
+from nppg.forest import Forest
+from nppg.policy import Policy
+from nppg.refinement import Refiner
+
+STAGES: list[tuple[Any, str, str]] = [
+    (nppg.training, "generate_episode", "the loop of an episode, choosing"),
+    (TestTable, "answers", "unpacking the answers"),
+    (Forest, "sums", "summing the trees"),
+    (nppg.training.Batch, "add", "the functional gradient"),
+    (nppg.training, "grow", "growing a tree, the rest"),
+    (Refiner, "refinements", "refinements of a node"),
+    (Coverage, "matrix", "gathering a node's answers"),
+    (nppg.tilde, "best_split", "the best split"),
+    (Policy, "add", "adding a tree: clauses and arrays"),
+]
+
+
+class Clock:
+    """Adds up the time that is spent in functions themselves, without what they call."""
+
+    def __init__(self) -> None:
+        self.calls: dict[str, int] = {}
+        self.seconds: dict[str, float] = {}
+        self._inner = [0.0]
+
+    def around(self, function: Callable, name: Callable[..., str]) -> Callable:
+        def measured(*args: Any, **options: Any) -> Any:
+            key, start = name(*args), time.perf_counter()
+            self._inner.append(0.0)
+            try:
+                return function(*args, **options)
+            finally:
+                spent = time.perf_counter() - start
+                self.calls[key] = self.calls.get(key, 0) + 1
+                self.seconds[key] = self.seconds.get(key, 0.0) + spent - self._inner.pop()
+                self._inner[-1] += spent
+
+        return measured
+
+
+@contextmanager
+def _wrapped(clock: Clock) -> Iterator[None]:
+    asking = [each for name, each in sys.modules.items() if name.startswith("nppg.") and hasattr(each, "ask")]
+    places = [(owner, name, lambda *_, text=f"Python: {text}": text) for owner, name, text in STAGES]
+    places += [(module, "ask", lambda question, *_: f"Prolog: {question}") for module in asking]
+    old = [getattr(owner, name) for owner, name, _ in places]
+    for (owner, name, label), function in zip(places, old, strict=True):
+        setattr(owner, name, clock.around(function, label))
+    try:
+        yield
+    finally:
+        for (owner, name, _), function in zip(places, old, strict=True):
+            setattr(owner, name, function)
+
+
+def table(seed: int = 0, episodes: int = 2000) -> str:
+    """The profile of a run, in Markdown."""
+    clock = Clock()
+    with _wrapped(clock):
+        total, _ = timed(lambda: learn(seed, episodes))
+    shown = sorted(((seconds, key) for key, seconds in clock.seconds.items()), reverse=True)
+    rows = [
+        f"| {key} | {clock.calls[key]} | {1e6 * seconds / clock.calls[key]:.0f} | {seconds / total:.1%} |"
+        for seconds, key in shown
+        if seconds / total >= 0.0005
+    ]
+    rest = 1 - sum(seconds for seconds, _ in shown) / total
+    head = ["| where | calls | µs a call | share |", "|---|---:|---:|---:|"]
+    return "\n".join([*head, *rows, f"| the rest | | | {rest:.1%} |", f"| all | | | {total:.2f} s |"])
