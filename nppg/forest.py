@@ -8,6 +8,7 @@ addition is that of the trees, so the sum equals Prolog's to the bit.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,98 +19,106 @@ _MEMORY = 20_000  # distinct rows that are remembered
 _CHUNK = 2_000_000  # leaves that are looked up at once
 
 
+class _Arrays(NamedTuple):
+    """Nodes by number: the column a node asks, the node behind each answer (failure, success), the value of a leaf.
+    A leaf leads to itself. `roots` has one number per tree."""
+
+    column: np.ndarray
+    children: np.ndarray
+    value: np.ndarray
+    roots: np.ndarray
+
+    def leaf_values(self, rows: np.ndarray, depth: int) -> np.ndarray:
+        """The value of each tree for each row: shape (rows, trees)."""
+        node = np.broadcast_to(self.roots, (len(rows), len(self.roots)))
+        at = np.arange(len(rows))[:, None]
+        for _ in range(depth):
+            node = self.children[node, rows[at, self.column[node]].astype(np.intp)]
+        return self.value[node]
+
+
 class Forest:
     """Trees over a table of tests."""
 
     def __init__(self) -> None:
-        self.roots: list[int] = []
-        self.depth = 0
-        self._column: list[int] = []
-        self._children: list[tuple[int, int]] = []  # (failure, success)
-        self._value: list[float] = []
-        self._arrays: tuple[np.ndarray, ...] | None = None
-        self._forget()
+        self._trees: list[_Arrays] = []
+        self._depth = 0
+        self._joined: _Arrays | None = None
+        self._forget(0)
 
-    def _forget(self) -> None:
-        self._known: dict[bytes, int] = {}
-        self._rows = np.empty((0, 0), bool)
-        self._sums = np.empty(0)
+    def _forget(self, width: int) -> None:
+        self._number: dict[bytes, int] = {}
+        self._rows = np.empty((16, width), bool)
+        self._sums = np.empty(16)
 
     def add(self, tree: Tree, column_of: Callable[[Query], int]) -> None:
         """Adds a tree; `column_of` gives the place of a test's answer in a row."""
-        depths: list[int] = []
-        start = len(self._column)
-        self.roots.append(self._place(tree, column_of, 0, depths))
-        self.depth = max(self.depth, *depths)
-        self._arrays = None
-        if max(self._column[start:]) >= self._rows.shape[1]:  # the rows lack the answer to a new test
-            self._forget()
-        elif len(self._known):
-            self._sums[: len(self._known)] += self._values(self._rows[: len(self._known)], len(self.roots) - 1)[:, 0]
-
-    def _place(self, tree: Tree, column_of: Callable[[Query], int], depth: int, depths: list[int]) -> int:
-        if isinstance(tree, Leaf):
-            depths.append(depth)
-            return self._node(0, None, tree.value)
-        failure = self._place(tree.no, column_of, depth + len(tree.tests), depths)
-        success = self._place(tree.yes, column_of, depth + len(tree.tests), depths)
-        for test in reversed(tree.tests):
-            success = self._node(column_of(test), (failure, success), 0.0)
-        return success
-
-    def _node(self, column: int, children: tuple[int, int] | None, value: float) -> int:
-        number = len(self._value)
-        self._column.append(column)
-        self._children.append(children or (number, number))
-        self._value.append(value)
-        return number
-
-    def _values(self, rows: np.ndarray, first: int) -> np.ndarray:
-        """The value of each tree from number `first` on, for each row: shape (rows, trees)."""
-        if first == len(self.roots) - 1:  # the newest tree alone: its nodes are the last ones
-            low = 0 if first == 0 else self.roots[first - 1] + 1
-            low = min(low, len(self._value))
-            column, children = np.array(self._column[low:]), np.array(self._children[low:]) - low
-            value, roots = np.array(self._value[low:]), np.array([self.roots[first] - low])
-        else:
-            column, children, value, roots = self._all()
-            roots = roots[first:]
-        node = np.broadcast_to(roots, (len(rows), len(roots)))
-        if rows.shape[1]:
-            at = np.arange(len(rows))[:, None]
-            for _ in range(self.depth):
-                node = children[node, rows[at, column[node]].astype(np.intp)]
-        return value[node]
-
-    def _all(self) -> tuple[np.ndarray, ...]:
-        if self._arrays is None:
-            self._arrays = tuple(map(np.array, (self._column, self._children, self._value, self.roots)))
-        return self._arrays
+        arrays, depth = _arrays(tree, column_of)
+        self._trees.append(arrays)
+        self._joined = None
+        self._depth = max(self._depth, depth)
+        size = len(self._number)
+        if arrays.column.max() >= self._rows.shape[1]:  # the rows lack the answer to a new test
+            self._forget(0)
+        elif size:
+            self._sums[:size] += arrays.leaf_values(self._rows[:size], depth)[:, 0]
 
     def sums(self, rows: np.ndarray) -> np.ndarray:
         """The potential of each row of answers."""
-        if not self.roots:
+        if not self._trees:
             return np.zeros(len(rows))
-        if rows.shape[1] != self._rows.shape[1] or len(self._known) + len(rows) > _MEMORY:
-            self._forget()
+        if rows.shape[1] != self._rows.shape[1] or len(self._number) + len(rows) > _MEMORY:
+            self._forget(rows.shape[1])
         keys = [row.tobytes() for row in np.ascontiguousarray(rows)]
-        new = {key: i for i, key in reversed(list(enumerate(keys))) if key not in self._known}
+        new = {key: i for i, key in reversed(list(enumerate(keys))) if key not in self._number}
         if new:
-            self._remember(new, rows)
-        return self._sums[[self._known[key] for key in keys]]
+            self._remember(list(new), rows[list(new.values())])
+        return self._sums[[self._number[key] for key in keys]]
 
-    def _remember(self, new: dict[bytes, int], rows: np.ndarray) -> None:
-        fresh = rows[list(new.values())]
-        size = len(self._known)
-        if size + len(fresh) > len(self._rows):
-            room = 2 * (size + len(fresh))
-            self._rows = (
-                np.resize(self._rows[:size], (room, rows.shape[1])) if size else np.empty((room, rows.shape[1]), bool)
+    def _remember(self, keys: list[bytes], rows: np.ndarray) -> None:
+        size, end = len(self._number), len(self._number) + len(keys)
+        if end > len(self._rows):
+            self._rows = np.concatenate([self._rows[:size], np.empty((end, rows.shape[1]), bool)])
+            self._sums = np.concatenate([self._sums[:size], np.empty(end)])
+        self._number |= {key: size + i for i, key in enumerate(keys)}
+        self._rows[size:end] = rows
+        step = max(1, _CHUNK // len(self._trees))
+        for a in range(0, len(rows), step):
+            values = self._all().leaf_values(rows[a : a + step], self._depth)
+            self._sums[size + a : size + a + len(values)] = np.cumsum(values, axis=1)[:, -1]
+
+    def _all(self) -> _Arrays:
+        if self._joined is None:
+            offsets = np.cumsum([0] + [len(each.value) for each in self._trees[:-1]])
+            self._joined = _Arrays(
+                np.concatenate([each.column for each in self._trees]),
+                np.concatenate([each.children + offset for each, offset in zip(self._trees, offsets, strict=True)]),
+                np.concatenate([each.value for each in self._trees]),
+                np.concatenate([each.roots + offset for each, offset in zip(self._trees, offsets, strict=True)]),
             )
-            self._sums = np.resize(self._sums[:size], room) if size else np.empty(room)
-        self._known |= {key: size + i for i, key in enumerate(new)}
-        self._rows[size : size + len(fresh)] = fresh
-        step = max(1, _CHUNK // len(self.roots))
-        for a in range(0, len(fresh), step):
-            part = fresh[a : a + step]
-            self._sums[size + a : size + a + len(part)] = np.cumsum(self._values(part, 0), axis=1)[:, -1]
+        return self._joined
+
+
+def _arrays(tree: Tree, column_of: Callable[[Query], int]) -> tuple[_Arrays, int]:
+    """A tree as arrays, and the number of answers on its longest path."""
+    column: list[int] = []
+    children: list[tuple[int, int]] = []
+    value: list[float] = []
+
+    def node(asked: int, behind: tuple[int, int], own: float) -> int:
+        column.append(asked)
+        children.append(behind)
+        value.append(own)
+        return len(value) - 1
+
+    def place(part: Tree) -> tuple[int, int]:
+        if isinstance(part, Leaf):
+            return node(0, (len(value), len(value)), part.value), 0
+        failure, below_failure = place(part.no)
+        success, below_success = place(part.yes)
+        for test in reversed(part.tests):
+            success = node(column_of(test), (failure, success), 0.0)
+        return success, len(part.tests) + max(below_failure, below_success)
+
+    root, depth = place(tree)
+    return _Arrays(np.array(column), np.array(children), np.array(value), np.array([root])), depth

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from itertools import product
 
 from nppg.language_bias import LanguageBias, Mode
-from nppg.logic import Literal, Query, Term, Var, components, normal_form, solve_equalities, subsumes, substitute
+from nppg.logic import Literal, Query, Term, Var, components, normal_form, solve_equalities, substitute, subsumes
 
 KIND = "$action"
 _MEMORY = 20_000
