@@ -1,0 +1,188 @@
+"""The laws of queries under θ-subsumption."""
+
+from __future__ import annotations
+
+from itertools import product
+from random import Random
+
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from nppg.logic import (
+    Literal,
+    Query,
+    Var,
+    components,
+    deciding_tests,
+    normal_form,
+    reduced,
+    solve_equalities,
+    subsumes,
+    substitute,
+    variables,
+)
+from samples import holds
+
+ROOTS = 2
+ROOT_TERMS = [Var(0), Var(1), "a", 3]
+TERMS = [*ROOT_TERMS, Var(2), Var(3), Var(4)]
+SIGNATURE = {"p": 1, "q": 2, "r": 2}
+
+
+def literals(terms: list) -> st.SearchStrategy[Literal]:
+    return st.sampled_from(sorted(SIGNATURE)).flatmap(
+        lambda name: st.tuples(*[st.sampled_from(terms)] * SIGNATURE[name]).map(lambda args: Literal(name, args))
+    )
+
+
+def queries(terms: list = TERMS, most: int = 4) -> st.SearchStrategy[Query]:
+    return st.lists(literals(terms), max_size=most).map(tuple)
+
+
+substitutions = st.dictionaries(st.sampled_from([Var(2), Var(3), Var(4)]), st.sampled_from(TERMS))
+
+
+def existential(query: Query) -> list[Var]:
+    return [var for var in variables(query) if var.index >= ROOTS]
+
+
+def subsumes_by_trial(general: Query, special: Query) -> bool:
+    """The definition: some substitution of the existential variables by terms of `special`."""
+    terms = {arg for literal in special for arg in literal.args}
+    own = existential(general)
+    return any(
+        set(substitute(general, dict(zip(own, choice, strict=True)))) <= set(special)
+        for choice in product(terms, repeat=len(own))
+    )
+
+
+def form(query: Query) -> frozenset[Literal]:
+    found = normal_form(query, ROOTS)
+    assert found is not None
+    return frozenset(found)
+
+
+@given(queries(), queries())
+def test_subsumption_is_what_its_definition_says(general: Query, special: Query) -> None:
+    assert subsumes(general, special, ROOTS) == subsumes_by_trial(general, special)
+
+
+@given(queries(), substitutions, substitutions, queries(), queries())
+def test_subsumption_is_reflexive_and_transitive(query, theta, sigma, more, still_more) -> None:
+    special = substitute(query, theta) + more
+    most_special = substitute(special, sigma) + still_more
+    assert subsumes(query, query, ROOTS)
+    assert subsumes(query, special, ROOTS) and subsumes(special, most_special, ROOTS)
+    assert subsumes(query, most_special, ROOTS)
+
+
+def test_constants_of_different_kinds_differ() -> None:
+    assert not subsumes((Literal("p", (1,)),), (Literal("p", ("1",)),), ROOTS)
+    assert not subsumes((Literal("p", (1,)),), (Literal("p", (1.0,)),), ROOTS)
+
+
+@given(queries(), substitutions, substitutions)
+def test_substitutions_compose(query, theta, sigma) -> None:
+    composed = {**sigma, **{var: sigma.get(term, term) for var, term in theta.items()}}
+    assert substitute(substitute(query, theta), sigma) == substitute(query, composed)
+
+
+@given(queries(), queries())
+def test_equal_normal_forms_mean_equivalence(left: Query, right: Query) -> None:
+    equivalent = subsumes_by_trial(left, right) and subsumes_by_trial(right, left)
+    assert (form(left) == form(right)) == equivalent
+
+
+@given(queries(), st.randoms(use_true_random=False))
+def test_the_normal_form_ignores_names_order_and_redundancy(query: Query, random: Random) -> None:
+    own = existential(query)
+    renaming = dict(zip(own, random.sample([Var(i) for i in range(2, 20)], len(own)), strict=True))
+    copy = substitute(query, {var: Var(var.index + 20) for var in own})  # maps back onto the query
+    variant = [*substitute(query, renaming), *copy, *substitute(query, renaming)]
+    random.shuffle(variant)
+    assert form(tuple(variant)) == form(query)
+
+
+@given(queries(), st.booleans(), st.randoms(use_true_random=False))
+def test_equalities_may_be_solved_either_way(query: Query, turned: bool, random: Random) -> None:
+    assume(variables(query))
+    var = random.choice(variables(query))
+    split = tuple(
+        Literal(name, tuple(Var(9) if arg == var and random.random() < 0.5 else arg for arg in args))
+        for name, args in query
+    )
+    equality = Literal("=", (Var(9), var) if turned else (var, Var(9)))
+    place = random.randint(0, len(split))
+    assert form((*split[:place], equality, *split[place:])) == form(query)
+
+
+def test_equalities_between_root_variables_stay_and_contradictions_are_found() -> None:
+    same = Literal("=", (Var(0), Var(1)))
+    assert form((same, Literal("p", (Var(1),)))) == {same, Literal("p", (Var(0),))}
+    assert form((Literal("=", (Var(1), Var(0))),)) == {same}
+    ground = (Literal("=", (Var(2), "a")), Literal("=", (Var(2), Var(0))), Literal("=", (Var(0), 3)))
+    assert normal_form(ground, ROOTS) is None
+    assert normal_form((Literal("=", (Var(0), 1)), Literal("=", (Var(0), 1.0))), ROOTS) is None
+
+
+@given(st.lists(st.tuples(st.sampled_from(TERMS), st.sampled_from(TERMS)), max_size=4))
+def test_the_unifier_solves_the_equalities_and_prefers_roots(equations) -> None:
+    query = tuple(Literal("=", pair) for pair in equations)
+    theta, solvable = solve_equalities(query, ROOTS)
+    merged = {frozenset([term]) for term in TERMS}
+    for left, right in equations:
+        together = {group for group in merged if left in group or right in group}
+        merged = merged - together | {frozenset().union(*together)}
+    assert solvable == all(sum(not isinstance(term, Var) for term in group) <= 1 for group in merged)
+    if solvable:
+        assert all(left == right for _, (left, right) in substitute(query, theta))
+        for group in merged:
+            rank = {term: (isinstance(term, Var), term.index if isinstance(term, Var) else 0) for term in group}
+            best = min(group, key=rank.__getitem__)
+            assert {theta.get(term, term) for term in group} == {best}
+
+
+@given(queries(most=6))
+def test_components_partition_a_query_and_cannot_be_split(query: Query) -> None:
+    query = tuple(dict.fromkeys(query))
+    parts = components(query, ROOTS)
+    assert sorted(sum(parts, ()), key=str) == sorted(query, key=str)
+    for i, part in enumerate(parts):
+        assert list(part) == sorted(part, key=query.index)
+        for other in parts[:i]:
+            assert not set(existential(part)) & set(existential(other))
+        reached, rest = {part[0]}, set(part)
+        while grown := {each for each in rest - reached if set(existential((each,))) & set(existential(tuple(reached)))}:
+            reached |= grown
+        assert reached == rest
+
+
+@given(queries(most=5))
+def test_a_reduced_query_is_equivalent_and_has_nothing_redundant(query: Query) -> None:
+    core = reduced(query, ROOTS)
+    assert set(core) <= set(query)
+    assert subsumes_by_trial(core, query) and subsumes_by_trial(query, core)
+    for literal in core:
+        assert not subsumes_by_trial(core, tuple(each for each in core if each != literal))
+
+
+@given(queries(most=5))
+def test_the_order_of_literals_survives(query: Query) -> None:
+    """A literal may need the variables that an earlier one binds."""
+    found = normal_form(query, ROOTS)
+    names = dict.fromkeys(literal.name for literal in query)
+    if len(names) == len(query):
+        assert [literal.name for literal in found] == list(names)
+
+
+worlds = st.fixed_dictionaries(
+    {name: st.sets(st.tuples(*[st.sampled_from(["a", "b", 3])] * arity)) for name, arity in SIGNATURE.items()}
+)
+
+
+@given(queries(), queries(most=2), worlds, st.tuples(*[st.sampled_from(["a", "b", 3])] * ROOTS))
+def test_deciding_tests_decide(query: Query, added: Query, world, roots) -> None:
+    values = dict(zip((Var(0), Var(1)), roots, strict=True))
+    assume(added and holds(query, 0, values, world))
+    tests = deciding_tests(query, added, ROOTS)
+    assert holds(query + added, 0, values, world) == all(holds(test, 0, values, world) for test in tests)
