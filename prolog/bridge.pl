@@ -19,6 +19,11 @@
 Every question is one predicate call(Name, Args..., Answer) below, with terms as data (see terms.pl).
 */
 
+%   States come and go, and the clauses of old ones are collected. A second thread that does so makes every
+%   other access to them slower.
+
+:- set_prolog_gc_thread(false).
+
 %!  ask(+Name, +Args, -Answer) is det.
 %
 %   Answer is -(1, Value), or -(0, Problems); see report.pl.
