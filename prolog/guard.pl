@@ -91,8 +91,16 @@ prolog:prolog_exception_hook(Ball, '$aborted', _, Catcher, _) :-
     nonvar(Ball),
     functor(Ball, inference_limit_exceeded, _),
     integer(Catcher),
-    \+ ( prolog_frame_attribute(Catcher, parent, Parent),
-         prolog_frame_attribute(Parent, predicate_indicator, system:call_with_inference_limit/3) ).
+    \+ keeps_limit(Catcher).
+
+keeps_limit(Frame) :-
+    prolog_frame_attribute(Frame, predicate_indicator, _:Name/3),
+    (   Name == call_with_inference_limit
+    ->  true
+    ;   Name == catch,
+        prolog_frame_attribute(Frame, parent, Parent),
+        prolog_frame_attribute(Parent, predicate_indicator, _:call_with_inference_limit/3)
+    ).
 
 %!  forbid_halt(+Module) is det.
 %
