@@ -83,6 +83,14 @@ visit(Module, Data, true) :-
 drawing(Module, Lines) :-
     picture(Module, Lines).
 
+%!  intact(+Module, -Truth) is det: whether the fluents are what the state says, and domain code left them alone.
+
+intact(Module, Truth) :-
+    (   tampered(Module)
+    ->  Truth = false
+    ;   Truth = true
+    ).
+
 horizon_of(Module, Steps) :-
     horizon(Module, Steps).
 

@@ -1,0 +1,85 @@
+:- use_module('../../prolog/domain').
+:- use_module('../../prolog/interpretation').
+
+:- dynamic ferry/1, ferry_file/1.
+:- prolog_load_context(directory, Directory),
+   atom_concat(Directory, '/../domains/ferry.pl', File),
+   assertz(ferry_file(File)).
+
+:- begin_tests(domain, [ setup((load([], M), assertz(user:ferry(M)))),
+                         cleanup((retract(user:ferry(M)), unload_domain(M))) ]).
+
+load(Parameters, Module) :-
+    user:ferry_file(File),
+    load_domain(File, Parameters, Module, _).
+
+at([boat(left), fuel(3), car(c1, left), car(c2, left)]).
+
+test(description, [nondet, true(Fluents-Parameters-Actions
+        == [[boat, 1], [car, 2], [fuel, 1]]-[[cars, 2], [storm, 0.25]]-[[carry, 1], [cross, 0]])]) :-
+    user:ferry_file(File),
+    load_domain(File, [], Module, Description),
+    unload_domain(Module),
+    member([fluents, Fluents], Description),
+    member([parameters, Parameters], Description),
+    member([actions, Actions], Description).
+test(parameter, [cleanup(unload_domain(Module)), Facts == [boat(left), fuel(2), car(c1, left)]]) :-
+    load([[cars, 1]], Module),
+    start(Module, Facts).
+test(wrong_parameter, throws(nppg_problems([-(_, 1, 0, 'there is no parameter carz; the domain has cars, storm', carz, [cars, storm])]))) :-
+    load([[carz, 1]], _).
+test(actions, Actions == [cross, carry(c1), carry(c2)]) :-
+    ferry(M), at(Facts),
+    interpret(M, Facts),
+    actions(M, Actions).
+test(status, Statuses == [running, goal, terminal]) :-
+    ferry(M),
+    findall(Status,
+            ( member(Facts, [[boat(left), fuel(1), car(c1, left)], [boat(right), fuel(0), car(c1, right)],
+                             [boat(right), fuel(0), car(c1, left)]]),
+              interpret(M, Facts),
+              status(M, Status) ),
+            Statuses).
+test(outcomes, Outcomes == [0.75-[boat(right), fuel(1), car(c1, right)], 0.25-[boat(left), fuel(1), car(c1, left)]]) :-
+    ferry(M),
+    interpret(M, [boat(left), fuel(2), car(c1, left)]),
+    outcomes(M, carry(c1), Outcomes).
+test(uncovered, throws(nppg_fault(_, 'allows ~w, which no effect covers,'-[swim]))) :-
+    ferry(M),
+    outcomes(M, swim, _).
+test(reward, Rewards == [10, -1]) :-
+    ferry(M),
+    interpret(M, [boat(right), fuel(0), car(c1, right)]),
+    reward(M, carry(c1), Won),
+    interpret(M, [boat(right), fuel(0), car(c1, left)]),
+    reward(M, cross, Lost),
+    Rewards = [Won, Lost].
+test(horizon, Steps == 3) :-
+    ferry(M), at(Facts),
+    interpret(M, Facts),
+    horizon(M, Steps).
+test(experts, Actions == [carry(c1), carry(c2)]) :-
+    ferry(M), at(Facts),
+    interpret(M, Facts),
+    experts(M, Actions).
+test(objects, Objects == [c1, c2]) :-
+    ferry(M), at(Facts),
+    interpret(M, Facts),
+    objects(M, waiting, Objects).
+test(binding, Values == [left]) :-
+    ferry(M), at(Facts),
+    interpret(M, Facts),
+    binding(M, boat, 1, Values).
+test(no_single_binding, throws(nppg_fault(_, _-[2]))) :-
+    ferry(M), at(Facts),
+    interpret(M, Facts),
+    binding(M, waiting, 1, _).
+test(two_instances, [cleanup(unload_domain(Other)), true(Here-There == [c1, c2]-[])]) :-
+    ferry(M), at(Facts),
+    load([], Other),
+    interpret(M, Facts),
+    interpret(Other, [boat(left), fuel(1)]),
+    objects(M, waiting, Here),
+    objects(Other, waiting, There).
+
+:- end_tests(domain).

@@ -1,0 +1,109 @@
+"""What every domain file must do. `conforms` is for any domain: to try your own,
+NPPG_DOMAIN=path/to/file.pl pytest tests/test_domains.py -k yours"""
+
+from __future__ import annotations
+
+import math
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from nppg import Domain, LanguageBias, Options, generate_episode, train
+from nppg.domain import State
+from nppg.policy import Policy
+from nppg.prolog import ask
+
+ROOT = Path(__file__).parent.parent
+FILES = sorted([*(ROOT / "domains").glob("*.pl"), *(ROOT / "tests" / "domains").glob("*.pl")])
+
+
+def bias_of(path: Path) -> Path | None:
+    """The language bias of the same name: beside the domain, or among the shipped ones."""
+    beside = (path.with_suffix(".yaml"), path.parent.parent / "language_bias" / f"{path.stem}.yaml")
+    return next((each for each in beside if each.is_file()), None)
+
+
+def conforms(path: Path, starts: int = 20, steps: int = 15, seed: int = 0) -> None:
+    """Plays random episodes and holds each state against the contract."""
+    domain, rng = Domain(path), np.random.default_rng(seed)
+    for _ in range(starts):
+        state = domain.start(rng)
+        horizon = domain.horizon(state)
+        assert isinstance(horizon, int) and horizon >= 0
+        for _ in range(min(horizon, steps)):
+            follow = holds(domain, state)
+            if follow is None:
+                break
+            action, states = follow
+            reward, successor = domain.act(state, action, rng)
+            assert math.isfinite(reward)
+            assert successor in states, "what act leads to is one of the outcomes"
+            state = successor
+    assert [domain.start(np.random.default_rng(seed + i)) for i in range(5)] == [
+        Domain(path).start(np.random.default_rng(seed + i)) for i in range(5)
+    ], "the same seed gives the same start"
+
+
+def holds(domain: Domain, state: State) -> tuple | None:
+    """Checks one state; an action to go on with, and the states that it may lead to."""
+    assert len(set(state)) == len(state), "facts are distinct"
+    assert {(fact[0], len(fact) - 1) if isinstance(fact, tuple) else (fact, 0) for fact in state} <= domain.fluents
+    status, actions = domain.situation(state)
+    assert ask("intact", domain.module) == "true", "queries leave the state alone"
+    if status != "running":
+        assert actions == []
+        return None
+    assert actions and len(set(actions)) == len(actions)
+    assert domain.situation(state).actions == actions, "the order of actions is a function of the state"
+    assert set(domain.expert_actions(state)) <= set(actions), "the expert's actions are legal"
+    assert all(isinstance(line, str) for line in domain.picture(state))
+    neighbours = dict(domain.neighbours(state))
+    assert list(neighbours) == actions, "every legal action has effects"
+    for outcomes in neighbours.values():
+        assert math.isclose(sum(outcome.probability for outcome in outcomes), 1)
+    assert ask("intact", domain.module) == "true", "looking ahead leaves the state alone"
+    action = actions[len(actions) // 2]
+    return action, [outcome.state for outcome in neighbours[action]]
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_conforms(path: Path) -> None:
+    conforms(path)
+
+
+@pytest.mark.skipif("NPPG_DOMAIN" not in os.environ, reason="NPPG_DOMAIN names no file")
+def test_yours() -> None:
+    conforms(Path(os.environ["NPPG_DOMAIN"]))
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_bias(path: Path) -> None:
+    """The bias of the same name fits, and an expert's episode stays within the horizon."""
+    file = bias_of(path)
+    assert file, "every domain has a language bias"
+    domain, bias = Domain(path), LanguageBias.load(file)
+    assert bias.check(domain.predicates, domain.actions) == []
+    rng = np.random.default_rng(0)
+    episode = generate_episode(Policy(domain, bias), rng, guidance=1.0)
+    assert len(episode.steps) <= domain.horizon(episode.steps[0].state)
+    *_, last = train(domain, bias, Options(episodes=10, min_examples=20))
+    assert last.episodes == 10
+
+
+def test_ferry() -> None:
+    """Probabilities, a numeric fluent, rewards and a terminal test, by hand."""
+    ferry = Domain(ROOT / "tests" / "domains" / "ferry.pl", {"cars": 1})
+    start = ferry.start(np.random.default_rng(0))
+    assert start == (("boat", "left"), ("fuel", 2), ("car", "c1", "left"))
+    assert ferry.situation(start) == ("running", ["cross", ("carry", "c1")])
+    over = (("boat", "right"), ("fuel", 1), ("car", "c1", "right"))
+    stuck = (("boat", "left"), ("fuel", 1), ("car", "c1", "left"))
+    assert dict(ferry.neighbours(start))[("carry", "c1")] == [(0.75, over), (0.25, stuck)]
+    rng = np.random.default_rng(0)
+    rewards = [ferry.act(start, ("carry", "c1"), rng) for _ in range(2000)]
+    assert set(rewards) == {(10, over), (-1, stuck)}
+    assert abs(rewards.count((10, over)) / 2000 - 0.75) < 0.04
+    assert ferry.situation(over).status == "goal"
+    assert ferry.situation((("boat", "left"), ("fuel", 0), ("car", "c1", "left"))).status == "terminal"
