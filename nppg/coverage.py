@@ -19,6 +19,7 @@ from nppg.prolog import ask, drop_with
 from nppg.refinement import KIND, Refinement, Refiner
 
 WORD = 60  # tests in one integer: it stays a small one in Prolog
+_BITS = 64  # of an integer in NumPy
 
 
 class _Groups:
@@ -28,18 +29,24 @@ class _Groups:
         self.columns: dict[tuple[int, ...], list[int]] = {}
         self.always: list[int] = []
         self.words = 0
-        self.places: np.ndarray = np.empty(0, np.intp)  # of the bits of `order` in a row of words
-        self.order: np.ndarray = np.empty(0, np.intp)  # columns
+        self._places: np.ndarray = np.empty(0, np.intp)  # of each column's bit; that of none is never set
 
-    def update(self) -> None:
-        """To be called after columns have been added."""
-        places: list[int] = []
+    def update(self, size: int) -> None:
+        """To be called after columns have been added; there are `size` of them, those of other kinds included."""
+        self._places = np.full(size, WORD)
         self.words = 0
         for columns in self.columns.values():
-            places += range(self.words * WORD, self.words * WORD + len(columns))
+            for i, column in enumerate(columns):
+                self._places[column] = (self.words + i // WORD) * _BITS + i % WORD
             self.words += -(-len(columns) // WORD)
-        self.places = np.array(places, np.intp)
-        self.order = np.array([each for columns in self.columns.values() for each in columns], np.intp)
+
+    def rows(self, words: list[int], count: int) -> np.ndarray:
+        """The answers to all columns in the words of `count` actions."""
+        bits = _bits(words, count) if self.words else np.zeros((count, _BITS), bool)
+        result = bits.take(self._places, axis=1)
+        if self.always:
+            result[:, self.always] = True
+        return result
 
 
 class TestTable:
@@ -64,7 +71,7 @@ class TestTable:
 
     def add(self, tests: Iterable[Query]) -> None:
         """Adds what is not there yet."""
-        touched = set()
+        touched, before = set(), len(self)
         for test in tests:
             if test in self._index:
                 continue
@@ -82,7 +89,8 @@ class TestTable:
             group = [encoded(self.tests[column]) for column in groups.columns[arguments]]
             words = [group[i : i + WORD] for i in range(0, len(group), WORD)]
             ask("tests", self.name, kind, [list(groups.columns).index(arguments), [i + 1 for i in arguments]], words)
-            groups.update()
+        for groups in self._groups if len(self) > before else ():
+            groups.update(len(self))
 
     def _arguments(self, test: Query, kind: int) -> tuple[int, ...] | None:
         """The action's arguments that the test is about; None if some are another kind's, so that it never holds."""
@@ -106,21 +114,15 @@ class TestTable:
         """Booleans of shape (actions, tests)."""
         self.domain.visit(state)
         kinds, words = ask("answers", self.name, actions)
-        if len(self._groups) == 1:
-            kinds = [0]
-        result = np.zeros((len(actions), len(self)), bool)
-        lengths = [groups.words for groups in self._groups]
-        ends = np.cumsum([lengths[kind] for kind in kinds]) if len(set(kinds)) > 1 else None
+        if len(set(kinds)) == 1:
+            return self._groups[kinds[0]].rows(words, len(actions))
+        result = np.empty((len(actions), len(self)), bool)
+        ends = np.cumsum([self._groups[kind].words for kind in kinds])
         for kind in set(kinds):
             groups = self._groups[kind]
-            if ends is None:
-                members, own = np.arange(len(actions)), words
-            else:
-                members = np.flatnonzero(np.array(kinds) == kind)
-                own = [word for i in members for word in words[ends[i] - groups.words : ends[i]]]
-            if groups.words:
-                result[members[:, None], groups.order] = _bits(own, len(members))[:, groups.places]
-            result[members[:, None], groups.always] = True
+            members = np.flatnonzero(np.array(kinds) == kind)
+            own = [word for i in members for word in words[ends[i] - groups.words : ends[i]]]
+            result[members] = groups.rows(own, len(members))
         return result
 
 
@@ -130,9 +132,9 @@ def encoded(query: Query) -> list:
 
 
 def _bits(words: list[int], rows: int) -> np.ndarray:
-    """Unpacks the words of each row, in order, to booleans of shape (rows, 60 * words per row)."""
-    array = np.array(words, dtype=np.int64).reshape(rows, -1, 1)
-    return ((array >> np.arange(WORD)) & 1).astype(bool).reshape(rows, -1)
+    """Unpacks the words of each row, in order, to booleans of shape (rows, 64 * words per row)."""
+    array = np.array(words, dtype="<i8").view(np.uint8).reshape(rows, -1)
+    return np.unpackbits(array, axis=1, bitorder="little").view(bool)
 
 
 Known = Mapping[Query, np.ndarray]
@@ -200,7 +202,7 @@ class Coverage:
             [[encoded(prefix), [encoded(each.literals) for each in pack]] for prefix, pack in packs],
             members.tolist(),
         )
-        bits = _bits(words, len(members)).reshape(len(members), len(packs), WORD)
+        bits = _bits(words, len(members)).reshape(len(members), len(packs), _BITS)
         answers = {}
         for p, (_, pack) in enumerate(packs):
             for i, each in enumerate(pack):

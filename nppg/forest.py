@@ -31,19 +31,24 @@ class _Arrays(NamedTuple):
     def leaf_values(self, rows: np.ndarray, depth: int) -> np.ndarray:
         """The value of each tree for each row: shape (rows, trees)."""
         node = np.broadcast_to(self.roots, (len(rows), len(self.roots)))
-        at = np.arange(len(rows))[:, None]
+        starts = np.arange(len(rows))[:, None] * rows.shape[1]
+        answers, children = rows.ravel(), self.children.ravel()
         for _ in range(depth):
-            node = self.children[node, rows[at, self.column[node]].astype(np.intp)]
-        return self.value[node]
+            node = children.take(2 * node + answers.take(starts + self.column.take(node)))
+        return self.value.take(node)
+
+    def shifted(self, offset: int) -> _Arrays:
+        """The same with node numbers from `offset` on."""
+        return _Arrays(self.column, self.children + offset, self.value, self.roots + offset)
 
 
 class Forest:
     """Trees over a table of tests."""
 
     def __init__(self) -> None:
-        self._trees: list[_Arrays] = []
+        self._parts: list[_Arrays] = []  # one after the other they are all trees
+        self._nodes = 0
         self._depth = 0
-        self._joined: _Arrays | None = None
         self._forget(0)
 
     def _forget(self, width: int) -> None:
@@ -54,8 +59,8 @@ class Forest:
     def add(self, tree: Tree, column_of: Callable[[Query], int]) -> None:
         """Adds a tree; `column_of` gives the place of a test's answer in a row."""
         arrays, depth = _arrays(tree, column_of)
-        self._trees.append(arrays)
-        self._joined = None
+        self._parts.append(arrays.shifted(self._nodes))
+        self._nodes += len(arrays.value)
         self._depth = max(self._depth, depth)
         size = len(self._number)
         if arrays.column.max() >= self._rows.shape[1]:  # the rows lack the answer to a new test
@@ -65,12 +70,13 @@ class Forest:
 
     def sums(self, rows: np.ndarray) -> np.ndarray:
         """The potential of each row of answers."""
-        if not self._trees:
+        if not self._parts:
             return np.zeros(len(rows))
         if rows.shape[1] != self._rows.shape[1] or len(self._number) + len(rows) > _MEMORY:
             self._forget(rows.shape[1])
-        keys = [row.tobytes() for row in np.ascontiguousarray(rows)]
-        new = {key: i for i, key in reversed(list(enumerate(keys))) if key not in self._number}
+        width, answers = rows.shape[1], rows.tobytes()
+        keys = [answers[i * width : (i + 1) * width] for i in range(len(rows))]
+        new = {key: i for i, key in enumerate(keys) if key not in self._number}
         if new:
             self._remember(list(new), rows[list(new.values())])
         return self._sums[[self._number[key] for key in keys]]
@@ -82,21 +88,16 @@ class Forest:
             self._sums = np.concatenate([self._sums[:size], np.empty(end)])
         self._number |= {key: size + i for i, key in enumerate(keys)}
         self._rows[size:end] = rows
-        step = max(1, _CHUNK // len(self._trees))
+        trees = self._joined()
+        step = max(1, _CHUNK // len(trees.roots))
         for a in range(0, len(rows), step):
-            values = self._all().leaf_values(rows[a : a + step], self._depth)
+            values = trees.leaf_values(rows[a : a + step], self._depth)
             self._sums[size + a : size + a + len(values)] = np.cumsum(values, axis=1)[:, -1]
 
-    def _all(self) -> _Arrays:
-        if self._joined is None:
-            offsets = np.cumsum([0] + [len(each.value) for each in self._trees[:-1]])
-            self._joined = _Arrays(
-                np.concatenate([each.column for each in self._trees]),
-                np.concatenate([each.children + offset for each, offset in zip(self._trees, offsets, strict=True)]),
-                np.concatenate([each.value for each in self._trees]),
-                np.concatenate([each.roots + offset for each, offset in zip(self._trees, offsets, strict=True)]),
-            )
-        return self._joined
+    def _joined(self) -> _Arrays:
+        if len(self._parts) > 1:
+            self._parts = [_Arrays(*map(np.concatenate, zip(*self._parts, strict=True)))]
+        return self._parts[0]
 
 
 def _arrays(tree: Tree, column_of: Callable[[Query], int]) -> tuple[_Arrays, int]:
