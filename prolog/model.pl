@@ -121,7 +121,8 @@ stream_terms(In, Terms) :-
         stream_terms(In, Rest)
     ).
 
-syntax_problem(File, error(syntax_error(What), stream(_, Line, Column, _))) :-
+syntax_problem(File, error(syntax_error(What), Place)) :-
+    ( Place = stream(_, Line, Column, _) ; Place = file(_, Line, Column, _) ),
     !,
     explanation(error(syntax_error(What), _), Text),
     throw(nppg_problems([-(File, Line, Column, Text)])).
