@@ -10,6 +10,7 @@ import numpy as np
 from nppg.clauses import to_clause
 from nppg.coverage import TestTable
 from nppg.domain import Action, Domain, State
+from nppg.errors import NppgError
 from nppg.forest import Forest
 from nppg.gradient import gibbs
 from nppg.language_bias import LanguageBias
@@ -63,7 +64,9 @@ class Policy:
     def act(self, state: State, rng: np.random.Generator, greedy: bool = False) -> Action:
         """Draws a legal action from the distribution, or one of the most probable ones. Raises NppgError where
         there is none."""
-        actions = self.domain.situation(state).actions
+        status, actions = self.domain.situation(state)
+        if not actions:
+            raise NppgError(f"there is no action to choose: the state is a {status} state")
         return actions[choose(self.distribution(state, actions), rng, greedy)]
 
     def rules(self, tree: int) -> list[str]:
