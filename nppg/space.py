@@ -97,8 +97,6 @@ class Space:
         self.owner = np.repeat(np.arange(len(counts)), counts)
         self.origin, self.target, self.weight = np.array(origin), np.array(target), np.array(weight)
         self.free = free
-        self.pairs = np.cumsum([0] + [len(actions) for actions in self.actions])
-        self.origin, self.target, self.weight = np.array(origin), np.array(target), np.array(weight)
         return None
 
     def _check(self, drawn: Iterable[State], objects: set[Ground]) -> None:
