@@ -176,7 +176,7 @@ class Coverage:
         """
         columns = self.table.columns(candidates)
         if (columns >= 0).all():
-            return self.bits[members[:, None], columns], known
+            return self.bits.take(members, axis=0).take(columns, axis=1), known
         missing = [
             each for each, column in zip(candidates, columns, strict=True) if column < 0 and each.test not in known
         ]

@@ -66,9 +66,11 @@ class Refiner:
         """Those that make the query more special: whose test does not θ-subsume it already."""
         theta, _ = solve_equalities(query, self.root_count)
         given = substitute((literal for literal in query if literal.name != "="), theta)
+        names = {literal.name for literal in given}
+        equal = {var: term for var, term in theta.items() if var.index < self.root_count}
         for each in candidates:
-            test = substitute(each.test, {var: theta[var] for var in theta if var.index < self.root_count})
-            if not subsumes(test, given, self.root_count):
+            test = substitute(each.test, equal) if equal else each.test
+            if not (names.issuperset(literal.name for literal in test) and subsumes(test, given, self.root_count)):
                 yield each
 
     def _distinct(self, core: Query) -> Iterator[Refinement]:

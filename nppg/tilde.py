@@ -42,18 +42,17 @@ def grow(targets: np.ndarray, coverage: Coverage, refiner: Refiner, limits: Tree
 
     def node(query: Query, members: np.ndarray, known: Known, depth: int) -> Tree:
         values = targets[members]
-        leaf = Leaf(math.fsum(values) / max(len(values), 1), len(values))
         if (
             depth == limits.max_depth
             or len(values) < 2 * limits.min_examples
             or _variance(values) < limits.min_variance
         ):
-            return leaf
+            return _leaf(values)
         candidates = refiner.refinements(query)
         answers, known = coverage.matrix(candidates, members, known)
         best = best_split(answers, values, limits)
         if best is None:
-            return leaf
+            return _leaf(values)
         chosen, covered = candidates[best], answers[:, best]
         return Node(
             chosen.literals,
@@ -63,6 +62,10 @@ def grow(targets: np.ndarray, coverage: Coverage, refiner: Refiner, limits: Tree
         )
 
     return node((), np.arange(len(targets)), {}, 0)
+
+
+def _leaf(values: np.ndarray) -> Leaf:
+    return Leaf(math.fsum(values.tolist()) / max(len(values), 1), len(values))
 
 
 def best_split(answers: np.ndarray, values: np.ndarray, limits: TreeLimits) -> int | None:
@@ -85,8 +88,7 @@ def best_split(answers: np.ndarray, values: np.ndarray, limits: TreeLimits) -> i
     gain[~allowed] = -np.inf
     top = gain.max()
     best = int(np.argmax(gain >= top - _TIE * abs(top)))
-    squares = _variance(values) * count
-    return best if _is_significant(float(gain[best]), squares, count, limits.significance) else None
+    return best if _is_significant(float(gain[best]), values, limits.significance) else None
 
 
 def _variance(values: np.ndarray) -> float:
@@ -94,13 +96,15 @@ def _variance(values: np.ndarray) -> float:
     return float(((values - mean) ** 2).sum() / len(values))
 
 
-def _is_significant(gain: float, squares: float, count: int, level: float) -> bool:
-    """The F-test of regression trees, F(1, n - 2) = (n - 2) gain / (squares - gain); level 1 accepts any gain."""
+def _is_significant(gain: float, values: np.ndarray, level: float) -> bool:
+    """The F-test of regression trees, F(1, n - 2) = (n - 2) gain / (squares - gain), with the sum of squares around
+    the mean; level 1 accepts any gain."""
     if gain < 1e-9:
         return False
     if level == 1.0:
         return True
-    rest = squares - gain
+    count = len(values)
+    rest = _variance(values) * count - gain
     return count > 2 and (rest <= 0 or f_test((count - 2) * gain / rest, count - 2) <= level)
 
 
