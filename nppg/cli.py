@@ -76,6 +76,21 @@ def _parser() -> argparse.ArgumentParser:
         each.add_argument("model", type=Path, help="a model file")
     for each in (check, train, evaluate, play):
         each.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a parameter of the domain")
+    prove = command("prove", _prove, "show from which start states a policy can fail, and write a certificate")
+    distill = command("distill", _distill, "write few rules that choose like a policy of many trees")
+    for each in (prove, distill):
+        each.add_argument("model", type=Path, help="a model file")
+    for each in (prove,):
+        each.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a parameter of the domain")
+    prove.add_argument("--stochastic", action="store_true", help="about the stochastic policy, not the greedy one")
+    prove.add_argument("--output", type=Path, metavar="FILE", help="the certificate, as JSON")
+    prove.add_argument("--check", type=Path, metavar="FILE", help="only look whether this certificate is about MODEL")
+    prove.add_argument("--show", type=int, default=3, metavar="N", help="failing classes to draw (default: 3)")
+    distill.add_argument("--max-rules", type=int, default=10, metavar="N", help="(default: 10)")
+    distill.add_argument("--bias", help="what the rules may test (default: the bias that the model was trained with)")
+    distill.add_argument(
+        "--output", type=Path, metavar="FILE", help="the rules' model file (default: MODEL's folder, rules.pl)"
+    )
     new = command("new", _new, "write a commented domain and language bias to start from")
     new.add_argument("name")
 
@@ -247,6 +262,57 @@ def _evaluate(options: argparse.Namespace) -> int:
         over = f"all {result.starts:,} start states" if result.exact else f"{result.starts:,} sampled start states"
         steps = f"{result.mean_steps:.3f} steps on average"
         print(f"success of the {kind} policy over {over}: {result.success:.6f} ({steps})")
+    return 0
+
+
+def _prove(options: argparse.Namespace) -> int:
+    from nppg.proof import check_certificate, prove
+
+    policy = _load(options)
+    if options.check:
+        contents = check_certificate(options.check, policy, options.model)
+        claim = f"success {contents['success']} over {contents['starts']:,} start states"
+        print(f"{options.check} is about {options.model}: {claim}")
+        return 0
+    proof = prove(policy, options.model, greedy=not options.stochastic)
+    kind = "greedy" if proof.greedy else "stochastic"
+    print(f"{proof.classes:,} classes of {proof.states:,} states, {proof.starts:,} of them start states")
+    for failure in proof.failures[: options.show]:
+        print(
+            "",
+            f"from {failure.states:,} states like this it succeeds with probability {failure.success:.6f}:",
+            sep="\n",
+        )
+        print(*failure.picture, sep="\n")
+    verdict = (
+        "from every one"
+        if proof.complete
+        else f"with {proof.success:.9f}; it can fail in {len(proof.failures)} classes"
+    )
+    print(f"the {kind} policy succeeds {verdict}")
+    if options.output:
+        proof.save(options.output)
+        print(f"certificate: {options.output}")
+    return 0
+
+
+def _distill(options: argparse.Namespace) -> int:
+    from nppg.distill import distill
+    from nppg.evaluation import evaluate, evaluate_exactly
+
+    at_least("max-rules", options.max_rules, 1)
+    policy = _load(options)
+    bias = LanguageBias.load(locate(options.bias or policy.bias.file, "language_bias", ".yaml"))
+    rules = distill(policy, bias, options.max_rules)
+    exact = policy.domain.uniform_start and policy.domain.has_goal
+    result = evaluate_exactly(rules, greedy=True) if exact else evaluate(rules, greedy=True)
+    output = options.output or options.model.with_name("rules.pl")
+    rules.save(output, [("success", result.success), ("starts", result.starts), ("exact", int(result.exact))])
+    print(*rules.rules(1), sep="\n")
+    over = "all" if result.exact else "sampled"
+    print(
+        f"success of these rules over {over} {result.starts:,} start states: {result.success:.6f}; written to {output}"
+    )
     return 0
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from dataclasses import dataclass
 
@@ -58,6 +59,12 @@ class ExactEvaluator:
         self._answers = np.empty((0, 0), bool)
         self._row = np.empty(0, int)  # of each pair among the distinct answers
 
+    def of(self, policy: Policy) -> ExactEvaluator:
+        """An evaluator of another policy over the same table, with all that has been computed for this one."""
+        other = copy.copy(self)
+        other.policy = policy
+        return other
+
     def potentials(self) -> np.ndarray:
         """Psi of each pair of the space."""
         space, table = self.space, self.policy.table
@@ -80,23 +87,28 @@ class ExactEvaluator:
         best = is_best(probabilities, highest).astype(float)
         return best / np.repeat(np.add.reduceat(best, self._first), sizes)
 
-    def evaluate(self, greedy: bool = False, horizon_factor: float = 1.0) -> Evaluation:
-        """By backward induction: V_t(s), the probability to reach a goal state within t steps, and U_t(s), the
+    def by_class(self, greedy: bool = False, horizon_factor: float = 1.0) -> tuple[np.ndarray, np.ndarray]:
+        """The success probability and the expected number of steps from each class of the space, 0 where it is not a
+        start. By backward induction: V_t(s), the probability to reach a goal state within t steps, and U_t(s), the
         expected number of steps when at most t are taken."""
         space = self.space
         flow = self.probabilities(greedy)[space.origin] * space.weight
         source = space.owner[space.origin]
-        running = np.array([status == "running" for status in space.status])
         goal = np.array([float(status == "goal") for status in space.status])
         limits = np.array([math.ceil(horizon_factor * horizon) for horizon in space.horizons])
         value, length = goal, np.zeros(len(goal))
         success, steps = np.zeros(len(goal)), np.zeros(len(goal))
         for t in range(1, limits.max(initial=0) + 1):
             value = goal + np.bincount(source, flow * value[space.target], len(goal))
-            length = running + np.bincount(source, flow * length[space.target], len(goal))
+            length = space.running + np.bincount(source, flow * length[space.target], len(goal))
             success[limits == t], steps[limits == t] = value[limits == t], length[limits == t]
-        share = np.array([size / space.starts for size in space.sizes]) * running
-        return Evaluation(math.fsum(share * success), space.starts, True, greedy, math.fsum(share * steps))
+        return success * space.running, steps * space.running
+
+    def evaluate(self, greedy: bool = False, horizon_factor: float = 1.0) -> Evaluation:
+        """The mean over all start states."""
+        success, steps = self.by_class(greedy, horizon_factor)
+        share = np.array([size / self.space.starts for size in self.space.sizes])
+        return Evaluation(math.fsum(share * success), self.space.starts, True, greedy, math.fsum(share * steps))
 
 
 def evaluate_exactly(policy: Policy, greedy: bool = False, horizon_factor: float = 1.0) -> Evaluation:

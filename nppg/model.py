@@ -46,9 +46,7 @@ def write(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None:
         *facts,
         ("trees", len(policy.trees)),
     ]
-    copy = path.parent / domain.path.name
-    if not (copy.exists() and copy.samefile(domain.path)):
-        replacing(copy, lambda temporary: shutil.copyfile(domain.path, temporary))
+    copy_beside(domain.path, path)
     entries = [[key, value] for key, value in described]
     replacing(
         path,
@@ -56,6 +54,13 @@ def write(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None:
             "save", str(temporary), domain.name, domain.path.name, entries, policy.name, policy.comments
         ),
     )
+
+
+def copy_beside(file: Path, path: Path) -> None:
+    """Puts a copy of `file` into the folder of `path`, if it is not there already."""
+    copy = path.parent / file.name
+    if not (copy.exists() and copy.samefile(file)):
+        replacing(copy, lambda temporary: shutil.copyfile(file, temporary))
 
 
 def replacing(path: Path, write_to: Callable[[Path], object]) -> None:
@@ -91,9 +96,7 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Policy:
     if Path(domain_file).name != domain_file:
         raise _wrong(path, 1, f"the domain stands beside its model: {domain_file} cannot be its file")
     beside = path.parent / domain_file
-    domain = Domain(
-        beside if beside.is_file() else Path(domain_file).stem, {**_parameters(path, known), **parameters}
-    )
+    domain = Domain(beside if beside.is_file() else Path(domain_file).stem, {**_parameters(path, known), **parameters})
     policy = Policy(domain, _bias(path, known, domain))
     for rules in _trees(path, clauses, policy.bias, known):
         policy.add(from_rules(rules, lambda query, literals: deciding_tests(query, literals, len(policy.bias.roots))))
@@ -130,7 +133,8 @@ def _bias(path: Path, known: Mapping[str, list], domain: Domain) -> LanguageBias
                 path, 1, f"{domain.path} does not have {each.name}/{len(each.types)}{near}: is it another domain?"
             )
     types = {each.name: each.types for each in (*actions, *literals, *([goal] if goal else []))}
-    return LanguageBias(str(path), actions, goal, types, {}, (), 0, 0, TreeLimits())
+    file = next((path.parent / str(name) for name in known.get("bias", [])), path)
+    return LanguageBias(str(file), actions, goal, types, {}, (), 0, 0, TreeLimits())
 
 
 def _trees(path: Path, clauses: list, bias: LanguageBias, known: Mapping[str, list]) -> list[list[Rule]]:

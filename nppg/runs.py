@@ -17,7 +17,7 @@ from nppg.domain import Domain
 from nppg.errors import NppgError, Problem
 from nppg.evaluation import Evaluation, ExactEvaluator, evaluate
 from nppg.language_bias import LanguageBias
-from nppg.model import file_hash, replacing
+from nppg.model import copy_beside, file_hash, replacing
 from nppg.options import Options
 from nppg.policy import Policy
 from nppg.prolog import ask
@@ -169,6 +169,7 @@ def write_files(progress: Progress, bias: LanguageBias, output: Path) -> None:
         ("trained_episodes", progress.episodes),
     ]
     policy.save(output / "model.pl", facts)
+    copy_beside(Path(bias.file), output / "model.pl")
     summary = {
         "nppg": __version__,
         "prolog": ask("version"),

@@ -111,8 +111,13 @@ class Space:
                 )
 
     @property
+    def running(self) -> np.ndarray:
+        """Which classes are start states: those that are neither goal nor terminal."""
+        return np.array([status == "running" for status in self.status])
+
+    @property
     def starts(self) -> int:
-        """The number of start states: all that are neither goal nor terminal."""
+        """The number of start states."""
         return sum(size for size, status in zip(self.sizes, self.status, strict=True) if status == "running")
 
     def lengths(self) -> dict[int, int]:

@@ -1,0 +1,142 @@
+"""Few rules that choose like a sum of many trees.
+
+TILDE learns one tree from the ensemble's preferences: over every class of states where the space is finite, else over
+states met in episodes. The tree's rules are then pruned: a rule or a literal goes where that lowers no success of the
+greedy policy. What remains is a model like any other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from nppg.coverage import Coverage, TestTable, root_table
+from nppg.domain import Action, State
+from nppg.episode import generate_episode
+from nppg.evaluation import ExactEvaluator, evaluate
+from nppg.gradient import gibbs
+from nppg.language_bias import LanguageBias, TreeLimits
+from nppg.logic import deciding_tests
+from nppg.policy import Policy
+from nppg.refinement import Refiner
+from nppg.tilde import grow
+from nppg.tree import Rule, Tree, from_rules, rules
+
+_GOOD = 0.3  # an action counts as preferred from this share of the best one's probability on
+_DEPTHS = range(1, 9)
+_EPISODES = 300
+
+
+def distill(policy: Policy, bias: LanguageBias, max_rules: int = 10) -> Policy:
+    """A policy of one tree with at most `max_rules` rules; `bias` says what they may test.
+
+    The tree is the shallowest whose greedy success is that of `policy`, or the deepest tried. Where its pruned rules
+    are too many, those whose loss costs least go too.
+    """
+    refiner = Refiner(bias)
+    table = root_table(policy.domain, bias, refiner)
+    judge = _Judge(policy, table, bias)
+    states, actions, targets = judge.preferences()
+    coverage = Coverage(table, states, actions)
+    wanted = judge.success(policy)
+    found: list[Rule] = []
+    for depth in _DEPTHS:
+        tree = grow(targets, coverage, refiner, TreeLimits(max_depth=depth, min_examples=1))
+        found = list(rules(tree))
+        if judge.rules_success(found) >= wanted:
+            break
+    pruned = _pruned(found, judge.rules_success)
+    while len(pruned) > max(max_rules, 1):
+        pruned = _pruned(max(_without_rule(pruned), key=judge.rules_success), judge.rules_success)
+    return judge.policy(pruned)
+
+
+class _Judge:
+    """How well rules do: exactly where that is possible, else on sampled starts that are always the same."""
+
+    def __init__(self, policy: Policy, table: TestTable, bias: LanguageBias):
+        self.original = policy
+        self.table = table
+        self.bias = bias
+        domain = policy.domain
+        self.exact = ExactEvaluator(policy) if domain.uniform_start and domain.has_goal else None
+        self.shared: ExactEvaluator | None = None
+        self._known: dict[tuple[Rule, ...], float] = {}
+
+    def preferences(self) -> tuple[list[State], list[Action], np.ndarray]:
+        """States with their actions, and 1 for each action that the policy prefers, 0 for the others."""
+        states: list[State] = []
+        actions: list[Action] = []
+        targets: list[np.ndarray] = []
+        for state, legal, probabilities in self._met():
+            states += [state] * len(legal)
+            actions += legal
+            targets.append((probabilities >= _GOOD * probabilities.max()).astype(float))
+        return states, actions, np.concatenate(targets)
+
+    def _met(self) -> Iterator[tuple[State, list[Action], np.ndarray]]:
+        if self.exact:
+            space, potentials = self.exact.space, self.exact.potentials()
+            for number, (state, legal) in enumerate(zip(space.states, space.actions, strict=True)):
+                if legal:
+                    yield state, legal, gibbs(potentials[space.owner == number])
+        else:
+            rng = np.random.default_rng(0)
+            for _ in range(_EPISODES):
+                for step in generate_episode(self.original, rng).steps:
+                    yield step.state, list(step.actions), step.probabilities
+
+    def policy(self, ordered: list[Rule]) -> Policy:
+        """The policy whose only tree has these rules."""
+        result = Policy(self.original.domain, self.bias, self.table)
+        result.add(self._tree(ordered), comment=f"distilled, {len(ordered)} rules")
+        return result
+
+    def _tree(self, ordered: list[Rule]) -> Tree:
+        roots = len(self.bias.roots)
+        return from_rules(ordered, lambda query, literals: deciding_tests(query, literals, roots))
+
+    def success(self, policy: Policy) -> float:
+        """Of the greedy policy."""
+        if self.exact and policy.table is self.table:
+            if self.shared is None:
+                self.shared = ExactEvaluator(policy, self.exact.space)
+            return self.shared.of(policy).evaluate(greedy=True).success
+        if self.exact:
+            return self.exact.of(policy).evaluate(greedy=True).success
+        return evaluate(policy, _EPISODES, greedy=True).success
+
+    def rules_success(self, ordered: list[Rule]) -> float:
+        """Of the greedy policy of an ordered list of rules."""
+        key = tuple(ordered)
+        if key not in self._known:
+            self._known[key] = self.success(self.policy(ordered))
+        return self._known[key]
+
+
+def _pruned(ordered: list[Rule], success: Callable[[list[Rule]], float]) -> list[Rule]:
+    """Drops rules, then literals, as long as no success is lost; the last rule stays, and holds always."""
+    best = success(ordered)
+    shorter = True
+    while shorter:
+        shorter = False
+        for candidate in (*_without_rule(ordered), *_without_literal(ordered)):
+            if success(candidate) >= best:
+                ordered, best, shorter = candidate, success(candidate), True
+                break
+    return ordered
+
+
+def _without_rule(ordered: list[Rule]) -> Iterator[list[Rule]]:
+    for i in range(len(ordered) - 2, -1, -1):
+        yield ordered[:i] + ordered[i + 1 :]
+
+
+def _without_literal(ordered: list[Rule]) -> Iterator[list[Rule]]:
+    for i, rule in enumerate(ordered[:-1]):
+        for literal in reversed(rule.query):
+            query = tuple(each for each in rule.query if each != literal)
+            if query:
+                yield [*ordered[:i], replace(rule, query=query), *ordered[i + 1 :]]
