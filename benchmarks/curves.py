@@ -13,7 +13,7 @@ from pathlib import Path
 from statistics import mean
 
 from nppg import Domain, LanguageBias, Options, run
-from nppg.runs import Progress
+from nppg.runs import Progress, title
 from nppg.shipped import locate
 
 
@@ -111,7 +111,7 @@ def _draw(runs: list[Progress], path: Path) -> None:
     axes.plot(range(0, 50 * len(grid), 50), grid, color="C0", linewidth=2.5, label=f"mean of {len(runs)} seeds")
     axes.axhline(0.99, color="grey", linestyle=":", linewidth=1)
     axes.set(xlabel="episodes", ylabel="success of the stochastic policy", ylim=(-0.02, 1.02))
-    axes.set_title(f"{runs[0].policy.domain.name}, {runs[0].policy.domain.parameters}")
+    axes.set_title(title(runs[0].policy.domain))
     axes.grid(alpha=0.3)
     axes.legend(loc="lower right", frameon=False)
     figure.savefig(path, dpi=110)

@@ -219,6 +219,11 @@ def _draw(progress: Progress, path: Path) -> None:
 
 
 def _title(progress: Progress) -> str:
-    parameters = ", ".join(f"{name} = {value}" for name, value in progress.policy.domain.parameters.items())
-    policy, seed = progress.policy, progress.options.seed
-    return f"{policy.domain.name} ({parameters}), seed {seed}: {len(policy.trees)} trees"
+    seed, trees = progress.options.seed, len(progress.policy.trees)
+    return f"{title(progress.policy.domain)}, seed {seed}: {trees} trees"
+
+
+def title(domain: Domain) -> str:
+    """The domain's name with its parameters, for people."""
+    parameters = ", ".join(f"{name} = {value}" for name, value in domain.parameters.items())
+    return f"{domain.name} ({parameters})" if parameters else domain.name
