@@ -7,6 +7,7 @@ from random import Random
 import janus_swi
 import numpy as np
 import pytest
+from samples import pairs, random_query, relations, root_values, truth, visited
 
 from nppg.coverage import WORD, Coverage, TestTable, root_table
 from nppg.domain import Action, Domain, State
@@ -14,7 +15,6 @@ from nppg.errors import NppgError
 from nppg.language_bias import LanguageBias
 from nppg.logic import Literal, Query, Var
 from nppg.refinement import KIND, Refinement, Refiner
-from samples import pairs, random_query, relations, root_values, truth, visited
 
 
 def asked_one_by_one(domain: Domain, bias: LanguageBias, query: Query, state: State, action: Action) -> bool:
@@ -96,7 +96,7 @@ def check_path(coverage: Coverage, bias: LanguageBias, refiner: Refiner, random:
         )
         assert matrix.shape == (len(members), len(candidates)) and (matrix == expected).all()
         asked = len(known)
-        useful = [i for i in range(len(candidates)) if 0 < matrix[:, i].sum()]
+        useful = [i for i in range(len(candidates)) if matrix[:, i].sum() > 0]
         about_new = [i for i in useful if candidates[i].test not in coverage.table._index]
         new = [i for i in useful if _introduces(candidates[i], refiner)]
         if not useful:
@@ -148,12 +148,12 @@ max_variables: 3
 
 
 def test_a_pack_tries_every_answer_of_its_prefix(blocks: Domain, relational_bias: LanguageBias) -> None:
-    """on(-V, X) has one answer, above(-V, floor-like) many: a test may succeed on any of them, and only on one."""
+    """above(-V, X) has many answers; a test may succeed on any of them, and only on one."""
     x, new = Var(0), Var(4)
     prefix = (Literal("above", (new, x)),)
     table = TestTable(blocks, relational_bias)
-    tower = tuple(sorted([("on", f"b{i}", f"b{i - 1}") for i in range(2, 9)])) + (("on", "b1", "floor"),)
-    state: State = (("goal_on", "b7", "b9"), *tower, ("on", "b9", "floor"))
+    tower = sorted(("on", f"b{i}", f"b{i - 1}") for i in range(2, 9))
+    state: State = (("goal_on", "b7", "b9"), ("on", "b1", "floor"), *tower, ("on", "b9", "floor"))
     candidates = [
         Refinement((literal,), (*prefix, literal), prefix)
         for literal in (Literal("on", (new, "b3")), Literal("on", (new, "b6")), Literal("on", (new, "b9")))

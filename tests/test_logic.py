@@ -7,6 +7,7 @@ from random import Random
 
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from samples import holds
 
 from nppg.logic import (
     Literal,
@@ -17,11 +18,10 @@ from nppg.logic import (
     normal_form,
     reduced,
     solve_equalities,
-    subsumes,
     substitute,
+    subsumes,
     variables,
 )
-from samples import holds
 
 ROOTS = 2
 ROOT_TERMS = [Var(0), Var(1), "a", 3]
@@ -152,7 +152,7 @@ def test_components_partition_a_query_and_cannot_be_split(query: Query) -> None:
         for other in parts[:i]:
             assert not set(existential(part)) & set(existential(other))
         reached, rest = {part[0]}, set(part)
-        while grown := {each for each in rest - reached if set(existential((each,))) & set(existential(tuple(reached)))}:
+        while grown := {each for each in rest - reached if {*existential((each,))} & {*existential(tuple(reached))}}:
             reached |= grown
         assert reached == rest
 

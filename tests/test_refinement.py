@@ -9,11 +9,11 @@ from itertools import combinations
 from random import Random
 
 import pytest
+from samples import random_query
 
 from nppg.language_bias import LanguageBias
 from nppg.logic import Literal, Query, Var, normal_form, subsumes, variables
 from nppg.refinement import KIND, Refinement, Refiner
-from samples import random_query
 
 SMALL = """
 action: move(+block, +place)
@@ -243,8 +243,7 @@ def listing(bias: LanguageBias) -> list[list[Query]]:
 
 def test_the_order_is_the_same_in_every_process(relational_bias: LanguageBias) -> None:
     code = (
-        "from test_refinement import listing, LanguageBias; import sys;"
-        "print(listing(LanguageBias.load(sys.argv[1])))"
+        "from test_refinement import listing, LanguageBias; import sys;print(listing(LanguageBias.load(sys.argv[1])))"
     )
     printed = {
         subprocess.run(

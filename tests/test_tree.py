@@ -6,10 +6,10 @@ from itertools import count
 from random import Random
 
 import pytest
+from samples import pairs, random_query, random_tree, value_of_list, value_of_tree, visited
 
 from nppg.logic import Literal, Query, Var, deciding_tests
 from nppg.tree import Leaf, Node, Rule, Tree, from_rules, leaves, rules
-from samples import pairs, random_query, random_tree, value_of_list, value_of_tree, visited
 
 
 @pytest.fixture

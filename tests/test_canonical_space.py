@@ -1,0 +1,191 @@
+"""Canonical forms against brute force, and the blocks world's states against the known numbers."""
+
+from __future__ import annotations
+
+import math
+from itertools import permutations, product
+from random import Random
+
+import numpy as np
+import pytest
+from samples import visited
+
+from nppg.canonical import Canonizer
+from nppg.domain import Domain, Ground
+from nppg.errors import NppgError
+from nppg.space import Space
+
+
+def renamed(facts, names: dict) -> frozenset:
+    def rename(term: Ground) -> Ground:
+        return (term[0], *map(rename, term[1:])) if isinstance(term, tuple) else names.get(term, term)
+
+    return frozenset(map(rename, facts))
+
+
+def random_facts(objects: list[str], random: Random) -> frozenset:
+    shapes = [("edge", 2), ("edge", 2), ("edge", 2), ("loop", 1), ("flag", 0), ("deep", 2), ("to_c", 1)]
+    facts = set()
+    for _ in range(random.randint(0, 6)):
+        name, arity = random.choice(shapes)
+        args = [random.choice(objects) for _ in range(arity)]
+        facts.add(
+            {"deep": lambda a: ("at", ("pair", *a), 1), "to_c": lambda a: ("edge", *a, "c")}.get(
+                name, lambda a, name=name: (name, *a) if a else name
+            )(args)
+        )
+    return frozenset(facts)
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 4])
+def test_forms_and_symmetries_are_those_of_brute_force(size: int) -> None:
+    objects = [f"o{i}" for i in range(size)]
+    canonizer, random = Canonizer(objects), Random(size)
+    by_form: dict = {}
+    by_class: dict = {}
+    for _ in range(250):
+        facts = random_facts(objects, random)
+        variants = [renamed(facts, dict(zip(objects, order, strict=True))) for order in permutations(objects)]
+        form, symmetries = canonizer.form(facts)
+        assert symmetries == variants.count(facts)
+        assert canonizer.form(random.choice(variants)) == (form, symmetries)
+        by_form.setdefault(form, set()).add(frozenset(variants))
+        by_class.setdefault(frozenset(variants), set()).add(form)
+    assert all(len(each) == 1 for each in (*by_form.values(), *by_class.values()))
+    assert len(by_form) > 3
+
+
+def test_all_graphs_on_four_nodes() -> None:
+    """There are 218 directed graphs on four nodes, without loops, up to isomorphism (OEIS A000273)."""
+    edges = list(permutations("wxyz", 2))
+    canonizer = Canonizer("wxyz")
+    sizes: dict = {}
+    for choice in product([False, True], repeat=len(edges)):
+        facts = [("edge", *edge) for edge, chosen in zip(edges, choice, strict=True) if chosen]
+        form, symmetries = canonizer.form(facts)
+        sizes.setdefault(form, []).append(24 // symmetries)
+    assert len(sizes) == 218
+    assert all(set(each) == {len(each)} for each in sizes.values())
+
+
+def test_regular_structures_that_refinement_leaves_alike() -> None:
+    def cycles(*lengths: int) -> list:
+        nodes = iter(range(99))
+        rings = [[f"o{next(nodes)}" for _ in range(length)] for length in lengths]
+        return [("next", a, b) for ring in rings for a, b in zip(ring, ring[1:] + ring[:1], strict=True)]
+
+    canonizer = Canonizer(f"o{i}" for i in range(6))
+    assert canonizer.form(cycles(6))[0] != canonizer.form(cycles(3, 3))[0]
+    assert canonizer.form(cycles(6))[1] == 6 and canonizer.form(cycles(3, 3))[1] == 18
+
+
+def test_objects_that_may_not_be_renamed_keep_their_names() -> None:
+    canonizer = Canonizer(["a", "b"])
+    assert canonizer.form([("on", "a", "x")])[0] != canonizer.form([("on", "a", "y")])[0]
+    assert canonizer.form([("on", "a", 1)])[0] != canonizer.form([("on", "a", "1")])[0]
+    assert canonizer.form([("on", "a", "x")])[0] == canonizer.form([("on", "b", "x")])[0]
+
+
+def total(space: Space, status: str) -> int:
+    return sum(size for size, own in zip(space.sizes, space.status, strict=True) if own == status)
+
+
+@pytest.mark.parametrize("blocks", [2, 3, 4, 5, 6])
+def test_numbers_of_states(blocks: int) -> None:
+    space = Space(Domain("blocks_world", {"blocks": blocks}))
+    assert sum(space.sizes) == {2: 3, 3: 13, 4: 73, 5: 501, 6: 4051}[blocks]
+    assert space.starts == sum(space.sizes) - total(space, "goal") == total(space, "running")
+    if blocks == 6:
+        check_horizon_and_expert(space)
+
+
+def check_horizon_and_expert(space: Space) -> None:
+    """The horizon is the distance to the goal by breadth-first search; the expert's moves are those nearer to it."""
+    assert space.origin.tolist() == list(range(len(space.target))) and set(space.weight) == {1.0}
+    successors = [space.target[space.owner == i].tolist() for i in range(len(space.states))]
+    distance = {i: 0 for i, status in enumerate(space.status) if status == "goal"}
+    for steps in range(1, len(space.states)):
+        near = [i for i, own in enumerate(successors) if i not in distance and not distance.keys().isdisjoint(own)]
+        distance |= dict.fromkeys(near, steps)
+    assert len(distance) == len(space.states) and max(distance.values()) == 6
+    for i, state in enumerate(space.states):
+        if space.status[i] == "running":
+            assert space.horizons[i] == space.domain.horizon(state) == distance[i]
+            optimal = [a for a, j in zip(space.actions[i], successors[i], strict=True) if distance[j] < distance[i]]
+            assert space.domain.expert_actions(state) == optimal
+
+
+def test_ten_blocks(space: Space) -> None:
+    assert len(space.states) == 2084
+    assert space.starts == 54_344_538
+    assert sum(space.sizes) == 58_941_091
+    assert total(space, "goal") == 4_596_553
+    assert len(space.owner) == sum(map(len, space.actions)) == 26_406
+    share = {length: round(100 * count / space.starts, 3) for length, count in space.lengths().items()}
+    assert share == {
+        1: 8.458, 2: 14.263, 3: 17.416, 4: 16.885, 5: 14.435, 6: 11.231, 7: 8.001, 8: 5.156, 9: 2.894, 10: 1.261
+    }  # fmt: skip
+    mean = sum(length * count for length, count in space.lengths().items()) / space.starts
+    assert round(mean, 3) == 4.322
+    legal = sum(size * len(actions) for size, actions in zip(space.sizes, space.actions, strict=True))
+    assert round(legal / space.starts, 3) == 9.297
+
+
+def test_sampled_starts_are_uniform(four_blocks: Domain) -> None:
+    """Chi-square of the classes' frequencies, against the 0.999 quantile (Wilson and Hilferty)."""
+    space = Space(four_blocks)
+    assert space.starts == 60
+    canonizer = Canonizer([f"b{i}" for i in range(1, 5)])
+    weight = {
+        canonizer.form(state)[0]: size / space.starts
+        for state, size, status in zip(space.states, space.sizes, space.status, strict=True)
+        if status == "running"
+    }
+    drawn, rng = 4000, np.random.default_rng(0)
+    counts = dict.fromkeys(weight, 0)
+    for _ in range(drawn):
+        counts[canonizer.form(four_blocks.start(rng))[0]] += 1
+    chi = sum((counts[form] - drawn * share) ** 2 / (drawn * share) for form, share in weight.items())
+    freedom = len(weight) - 1
+    limit = freedom * (1 - 2 / (9 * freedom) + 3.09 * math.sqrt(2 / (9 * freedom))) ** 3
+    assert freedom > 15 and chi < limit
+
+
+LAMPS = """
+:- module(lamps, []).
+:- fluent lit/1.
+:- parameter(lamps, 4).
+:- uniform_start.
+:- interchangeable lamp/1.
+lamp(I) :- parameter(lamps, N), between(1, N, I).
+start(Facts) :-
+    findall(lit(I), ( lamp(I), random(R), R < 0.5 ), Facts), \\+ all(Facts), !.
+start(Facts) :- start(Facts).
+all(Facts) :- parameter(lamps, N), length(Facts, N).
+goal :- \\+ ( lamp(I), \\+ lit(I) ).
+action(on(I)) :- lamp(I), \\+ lit(I).
+action(off(I)) :- lit(I).
+effect(on(I), [], [lit(I)]).
+effect(off(I), [lit(I)], []).
+horizon(N) :- findall(I, ( lamp(I), \\+ lit(I) ), Off), length(Off, N).
+"""
+
+
+def test_states_may_leave_objects_unnamed(tmp_path) -> None:
+    (tmp_path / "lamps.pl").write_text(LAMPS)
+    space = Space(Domain(tmp_path / "lamps.pl"))
+    assert len(space.states) == 5 and space.starts == 15
+    assert space.lengths() == {1: 4, 2: 6, 3: 4, 4: 1}
+
+
+def test_what_has_no_exact_space_is_refused(delivery: Domain, blocks: Domain) -> None:
+    with pytest.raises(NppgError, match="uniform_start"):
+        Space(delivery)
+    with pytest.raises(NppgError, match="more than 100 classes"):
+        Space(blocks, 100)
+
+
+def test_every_visited_state_is_in_the_space(four_blocks: Domain) -> None:
+    space, canonizer = Space(four_blocks), Canonizer([f"b{i}" for i in range(1, 5)])
+    known = {canonizer.form(state)[0] for state in space.states}
+    assert all(canonizer.form(state)[0] in known for state in visited(four_blocks, 60, seed=3))

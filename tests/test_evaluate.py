@@ -1,0 +1,141 @@
+"""Exact evaluation against the known numbers, plain enumeration and samples."""
+
+from __future__ import annotations
+
+import math
+from itertools import product
+from random import Random
+
+import numpy as np
+import pytest
+from samples import random_tree
+
+from nppg.coverage import root_table
+from nppg.domain import Domain
+from nppg.errors import NppgError
+from nppg.evaluation import Evaluation, ExactEvaluator, evaluate, evaluate_exactly
+from nppg.options import Options
+from nppg.policy import Policy
+from nppg.refinement import Refiner
+from nppg.training import train
+
+
+@pytest.fixture(scope="module")
+def policy(four_blocks: Domain, plain_bias) -> Policy:
+    """Random trees: neither uniform nor good, with ties."""
+    refiner = Refiner(plain_bias)
+    policy = Policy(four_blocks, plain_bias, root_table(four_blocks, plain_bias, refiner))
+    for seed in range(5):
+        policy.add(random_tree(refiner, 3, Random(seed)))
+    return policy
+
+
+def all_starts(blocks: int) -> list[tuple]:
+    """Every state of so many blocks in which b1 is not on b2, with the goal to put it there, by brute force: what
+    each block stands on, without two on one block and without a circle."""
+    names = [f"b{i}" for i in range(1, blocks + 1)]
+    found = []
+    for below in product([*names, "floor"], repeat=blocks):
+        on = dict(zip(names, below, strict=True))
+        reached = {"floor"}
+        while grown := {block for block in names if on[block] in reached} - reached:
+            reached |= grown
+        taken = [each for each in below if each != "floor"]
+        if len(reached) > blocks and len(set(taken)) == len(taken) and on["b1"] != "b2":
+            found.append((("goal_on", "b1", "b2"), *(("on", block, on[block]) for block in names)))
+    return found
+
+
+def success(policy: Policy, state: tuple, steps: int, greedy: bool) -> tuple[float, float]:
+    """The probability of the goal within so many steps, and their expected number, by recursion."""
+    status, actions = policy.domain.situation(state)
+    if status != "running" or steps == 0:
+        return float(status == "goal"), 0.0
+    pi = policy.distribution(state, actions)
+    if greedy:
+        best = pi >= pi.max() * (1 - 1e-9)
+        pi = best / best.sum()
+    value, length = 0.0, 1.0
+    for action, outcomes in policy.domain.neighbours(state):
+        ((_, following),) = outcomes
+        chance, more = success(policy, following, steps - 1, greedy)
+        value += pi[actions.index(action)] * chance
+        length += pi[actions.index(action)] * more
+    return value, length
+
+
+@pytest.mark.parametrize("greedy", [False, True])
+@pytest.mark.parametrize("factor", [0.6, 1.25])
+def test_exact_evaluation_is_plain_enumeration(policy: Policy, greedy: bool, factor: float) -> None:
+    starts = all_starts(4)
+    assert len(starts) == 60
+    found = [success(policy, state, math.ceil(factor * policy.domain.horizon(state)), greedy) for state in starts]
+    exact = evaluate_exactly(policy, greedy, factor)
+    assert exact.success == pytest.approx(np.mean([each[0] for each in found]), rel=1e-12)
+    assert exact.mean_steps == pytest.approx(np.mean([each[1] for each in found]), rel=1e-12)
+    assert (exact.starts, exact.exact, exact.greedy) == (60, True, greedy)
+    assert 0.01 < exact.success < 0.99
+
+
+@pytest.mark.parametrize("greedy", [False, True])
+def test_samples_agree_with_the_exact_value(policy: Policy, greedy: bool) -> None:
+    exact = evaluate_exactly(policy, greedy)
+    sampled = evaluate(policy, 1500, seed=1, greedy=greedy)
+    error = math.sqrt(exact.success * (1 - exact.success) / sampled.starts)
+    assert abs(sampled.success - exact.success) < 4 * error
+    assert sampled.mean_return == sampled.success and not sampled.exact
+    assert abs(sampled.mean_steps - exact.mean_steps) < 4 * 1.5 / math.sqrt(sampled.starts)
+
+
+def test_the_uniform_policy_on_ten_blocks(blocks: Domain, plain_bias) -> None:
+    """1.3098 % of all 54,344,538 starts in the minimal number of moves."""
+    evaluator = ExactEvaluator(Policy(blocks, plain_bias))
+    result = evaluator.evaluate()
+    assert result.starts == 54_344_538
+    assert round(100 * result.success, 4) == 1.3098
+    assert evaluator.evaluate(greedy=True) == Evaluation(
+        pytest.approx(result.success), result.starts, True, True, pytest.approx(result.mean_steps)
+    )
+
+
+def test_an_evaluator_sees_the_trees_that_are_added(four_blocks: Domain, plain_bias) -> None:
+    refiner = Refiner(plain_bias)
+    policy = Policy(four_blocks, plain_bias)
+    evaluator = ExactEvaluator(policy)
+    values = [evaluator.evaluate().success]
+    for seed in range(3):
+        policy.add(random_tree(refiner, 4, Random(seed)))
+        values.append(evaluator.evaluate().success)
+        assert values[-1] == evaluate_exactly(policy).success
+    assert len(set(values)) == 4
+
+
+def test_samples_are_reproduced_by_their_seed(policy: Policy) -> None:
+    assert evaluate(policy, 50, seed=3) == evaluate(policy, 50, seed=3)
+    assert len({evaluate(policy, 50, seed=seed) for seed in range(4)}) > 1
+
+
+def test_evaluation_does_not_touch_training(four_blocks: Domain, plain_bias) -> None:
+    def learned(look) -> list[list[str]]:
+        for iteration in train(four_blocks, plain_bias, Options(episodes=40, seed=2)):
+            policy = iteration.policy
+            look(policy)
+        return [policy.rules(tree) for tree in range(1, len(policy.trees) + 1)]
+
+    def both(policy: Policy) -> None:
+        evaluate(policy, 5, seed=2)
+        evaluate_exactly(policy, greedy=True)
+
+    undisturbed = learned(lambda policy: None)
+    assert len(undisturbed) >= 3 and learned(both) == undisturbed
+
+
+@pytest.mark.parametrize(("starts", "seed"), [(0, 0), (-5, 0), (10, -1)])
+def test_numbers_that_cannot_be(policy: Policy, starts: int, seed: int) -> None:
+    with pytest.raises(NppgError, match="at least"):
+        evaluate(policy, starts, seed)
+
+
+def test_what_is_not_declared_cannot_be_evaluated_exactly(delivery: Domain, delivery_bias) -> None:
+    with pytest.raises(NppgError, match="uniform_start"):
+        evaluate_exactly(Policy(delivery, delivery_bias))
