@@ -8,7 +8,7 @@
           ]).
 
 :- use_module(library(apply), [foldl/4, maplist/4]).
-:- use_module(library(lists), [append/3, member/2, memberchk/2, nth0/3, selectchk/3]).
+:- use_module(library(lists), [append/2, append/3, member/2, memberchk/2, nth0/3, selectchk/3]).
 :- use_module(domain).
 :- use_module(guard).
 :- use_module(interpretation).
@@ -30,6 +30,7 @@ runs once, and a test that has succeeded is not tried again.
 
 :- dynamic
     layout/4,                    % Table, Module, Kinds, Goal
+    roots/5,                     % Table, Action, GoalValues, Kind, Roots
     tables/1,
     state/3,                     % Table, Number, Facts
     example/4,                   % Table, Number, State, Roots
@@ -48,10 +49,28 @@ new_table(Module, Kinds, Goal, Table) :-
     set_module(Table:class(system)),
     add_import_module(Table, Module, start),
     dynamic(Table:(row/3)),
-    assertz(layout(Table, Module, Kinds, Goal)).
+    assertz(layout(Table, Module, Kinds, Goal)),
+    set_roots(Table, Kinds, Goal).
+
+%   What the root variables are bound to by an action of each kind and by the goal; the arguments of other kinds
+%   of actions stay unbound.
+
+set_roots(Table, Kinds, Goal) :-
+    maplist(template, Kinds, Actions, Args),
+    template(Goal, _, GoalValues),
+    append(Args, ActionValues),
+    append(ActionValues, GoalValues, Values),
+    Roots =.. [roots|Values],
+    forall(nth0(Kind, Actions, Action), assertz(roots(Table, Action, GoalValues, Kind, Roots))).
+
+template([], [], []).
+template([Name, Arity], Template, Args) :-
+    functor(Template, Name, Arity),
+    Template =.. [_|Args].
 
 drop_table(Table) :-
     retractall(layout(Table, _, _, _)),
+    retractall(roots(Table, _, _, _, _)),
     retractall(groups(Table, _, _)),
     drop_examples(Table),
     retractall(Table:row(_, _, _)).
@@ -133,30 +152,16 @@ share(N, Count, Roots, Variables) :-
     Next is N+1,
     share(Next, Count, Roots, Variables).
 
-%!  roots(+Table, +GoalValues, +Action, -Kind, -Roots) is det.
+%!  action_roots(+Table, +GoalValues, +Action, -Kind, -Roots) is det.
 %
-%   The values of the root variables; the arguments of other kinds of actions stay unbound.
+%   The values of the root variables.
 
-roots(Table, GoalValues, Action, Kind, Roots) :-
-    layout(Table, Module, Kinds, _),
-    Action =.. [Name|Args],
-    length(Args, Arity),
-    (   nth0(Kind, Kinds, [Name, Arity])
+action_roots(Table, GoalValues, Action, Kind, Roots) :-
+    (   roots(Table, Action, GoalValues, Kind, Roots)
     ->  true
-    ;   fault(Module:(action/1), 'gave ~p, for which the language bias has no action template,'-[Action])
-    ),
-    root_values(Kinds, Kind, Args, GoalValues, Values),
-    Roots =.. [roots|Values].
-
-root_values([], _, _, GoalValues, GoalValues).
-root_values([[_, Arity]|Kinds], Kind, Args, GoalValues, Values) :-
-    (   Kind == 0
-    ->  Own = Args
-    ;   length(Own, Arity)
-    ),
-    Next is Kind-1,
-    append(Own, Rest, Values),
-    root_values(Kinds, Next, Args, GoalValues, Rest).
+    ;   layout(Table, Module, _, _),
+        fault(Module:(action/1), 'gave ~p, for which the language bias has no action template,'-[Action])
+    ).
 
 goal_values(Table, Values) :-
     layout(Table, Module, _, Goal),
@@ -172,7 +177,7 @@ goal_values(Table, Values) :-
 
 rows(Table, Actions, Kinds, Words) :-
     goal_values(Table, GoalValues),
-    maplist(roots(Table, GoalValues), Actions, Kinds, AllRoots),
+    maplist(action_roots(Table, GoalValues), Actions, Kinds, AllRoots),
     layout(Table, Module, _, _),
     catch(guarded(Module:test/0, action_rows(Kinds, AllRoots, Table, [], Words)),
           nppg_fault(_, Fault),
@@ -284,7 +289,7 @@ load_state(Table, Module, Facts, Number, Next) :-
 
 load_example(Table, [State, Action], Number, Next) :-
     state(Table, State, _-GoalValues),
-    roots(Table, GoalValues, Action, _, Roots),
+    action_roots(Table, GoalValues, Action, _, Roots),
     assertz(example(Table, Number, State, Roots)),
     Next is Number+1.
 
