@@ -24,7 +24,7 @@ STAGES: list[tuple[Any, str, str]] = [
     (nppg.training, "generate_episode", "the loop of an episode, choosing"),
     (TestTable, "answers", "unpacking the answers"),
     (Forest, "sums", "summing the trees"),
-    (nppg.training.Batch, "add", "the functional gradient"),
+    (nppg.training, "examples", "the functional gradient"),
     (nppg.training, "grow", "growing a tree, the rest"),
     (Refiner, "refinements", "refinements of a node"),
     (Coverage, "matrix", "gathering a node's answers"),

@@ -30,14 +30,16 @@ def gibbs_of_groups(potentials: np.ndarray, starts: np.ndarray) -> np.ndarray:
     return weights / np.repeat(np.add.reduceat(weights, starts), sizes)
 
 
-def functional_gradient(probabilities: np.ndarray, chosen: int, value: float) -> np.ndarray:
+def functional_gradient(probabilities: np.ndarray, chosen: int, value: float, importance: float = 1.0) -> np.ndarray:
     """The point-wise gradient of a step for every legal action b (Kersting and Driessens 2008, Proposition 3.1):
 
     value * d pi(s, a) / d Psi(s, b), with pi(s, a) (1 - pi(s, a)) for b = a, -pi(s, a) pi(s, b) for the others.
-    The result sums to zero.
+    The result sums to zero. With `importance` k other than 1 the leading pi(s, a) is taken to that power; at 0 this is
+    the gradient of value * log pi(s, a).
     """
-    gradient = -probabilities[chosen] * probabilities
-    gradient[chosen] += probabilities[chosen]
+    weight = probabilities[chosen] if importance == 1.0 else probabilities[chosen] ** importance
+    gradient = -weight * probabilities
+    gradient[chosen] += weight
     return value * gradient
 
 

@@ -37,6 +37,15 @@ class Options:
     update: str = _option(
         "all", "actions that get an example: all, or taken (divided by its probability)", choices=("all", "taken")
     )
+    step: str = _option(
+        "gradient",
+        "what a tree fits: the paper's gradient, or second-order steps",
+        choices=("gradient", "second-order"),
+    )
+    regularisation: float = _option(1.0, "lambda of a second-order leaf, sum(f) / (sum(h) + lambda)", low=0)
+    clip: float = _option(3.0, "a second-order leaf lies between -clip and clip", low=0)
+    importance: float = _option(1.0, "power of pi(s, a) that weights a step; 1 is the paper's", low=0, high=1)
+    replay: int = _option(0, "earlier rewarded steps that each tree learns from again, under the present policy", low=0)
     unrewarded: str = _option("keep", "what becomes of steps with return 0: keep, or drop", choices=("keep", "drop"))
 
     def __post_init__(self) -> None:

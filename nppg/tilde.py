@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -37,8 +38,27 @@ def fit(examples: Sequence[Example], domain: Domain, bias: LanguageBias) -> Tree
     return grow(np.array([each.value for each in examples], float), coverage, refiner, bias.tree)
 
 
-def grow(targets: np.ndarray, coverage: Coverage, refiner: Refiner, limits: TreeLimits) -> Tree:
-    """Grows a tree for one target per example of `coverage`."""
+@dataclass(frozen=True, slots=True)
+class Newton:
+    """What makes a tree a second-order step: with gradients f for targets and curvatures h, shape (examples,), a leaf
+    predicts sum(f) / (sum(h) + regularisation), clipped to +-clip, and splits are judged by how far that goes."""
+
+    curvatures: np.ndarray
+    regularisation: float
+    clip: float
+
+
+def grow(
+    targets: np.ndarray, coverage: Coverage, refiner: Refiner, limits: TreeLimits, newton: Newton | None = None
+) -> Tree:
+    """Grows a tree for one target per example of `coverage`: of means, or for a second-order step."""
+
+    def leaf(members: np.ndarray) -> Leaf:
+        total, weight = math.fsum(targets[members].tolist()), float(max(len(members), 1))
+        if newton:
+            weight = math.fsum(newton.curvatures[members].tolist()) + newton.regularisation
+        value = total / weight if weight else 0.0
+        return Leaf(max(-newton.clip, min(newton.clip, value)) if newton else value, len(members))
 
     def node(query: Query, members: np.ndarray, known: Known, depth: int) -> Tree:
         values = targets[members]
@@ -47,12 +67,15 @@ def grow(targets: np.ndarray, coverage: Coverage, refiner: Refiner, limits: Tree
             or len(values) < 2 * limits.min_examples
             or _variance(values) < limits.min_variance
         ):
-            return _leaf(values)
+            return leaf(members)
         candidates = refiner.refinements(query)
         answers, known = coverage.matrix(candidates, members, known)
-        best = best_split(answers, values, limits)
+        if newton:
+            best = best_step(answers, values, newton.curvatures[members], newton.regularisation, limits)
+        else:
+            best = best_split(answers, values, limits)
         if best is None:
-            return _leaf(values)
+            return leaf(members)
         chosen, covered = candidates[best], answers[:, best]
         return Node(
             chosen.literals,
@@ -64,31 +87,54 @@ def grow(targets: np.ndarray, coverage: Coverage, refiner: Refiner, limits: Tree
     return node((), np.arange(len(targets)), {}, 0)
 
 
-def _leaf(values: np.ndarray) -> Leaf:
-    return Leaf(math.fsum(values.tolist()) / max(len(values), 1), len(values))
-
-
 def best_split(answers: np.ndarray, values: np.ndarray, limits: TreeLimits) -> int | None:
     """The candidate that reduces the weighted variance most, or None if none may split.
 
     `answers` has shape (examples, candidates). The reduction of the sum of squares is
-    s1^2 / n1 + s0^2 / n0 - s^2 / n with the sums s and counts n of the two branches. Sums run down the columns
-    in a fixed order, so that the outcome does not depend on the machine's linear algebra.
+    s1^2 / n1 + s0^2 / n0 - s^2 / n with the sums s and counts n of the two branches.
     """
-    count = len(values)
-    weights = answers.astype(float)
-    n1 = weights.sum(axis=0)
-    s1 = (weights * values[:, None]).sum(axis=0)
-    total = values.sum()
-    n0, s0 = count - n1, total - s1
-    allowed = (n1 >= limits.min_examples) & (n0 >= limits.min_examples)
+    covered = answers.astype(float)
+    n1 = covered.sum(axis=0)
+    found = _best_gain(covered, values, n1, n1, float(len(values)), limits.min_examples)
+    return found[0] if found and _is_significant(found[1], values, limits.significance) else None
+
+
+def best_step(
+    answers: np.ndarray, values: np.ndarray, curvatures: np.ndarray, regularisation: float, limits: TreeLimits
+) -> int | None:
+    """The candidate with the largest sum of f^2 / (h + regularisation) over the two branches, f and h the branch's
+    sums, or None if none exceeds that of the undivided node. There is no F-test."""
+    covered = answers.astype(float)
+    h1 = (covered * curvatures[:, None]).sum(axis=0)
+    whole = float(curvatures.sum())
+    found = _best_gain(covered, values, covered.sum(axis=0), h1, whole, limits.min_examples, regularisation)
+    return found[0] if found and found[1] >= 1e-9 else None
+
+
+def _best_gain(
+    covered: np.ndarray,
+    values: np.ndarray,
+    counts: np.ndarray,
+    weights: np.ndarray,
+    whole: float,
+    least: int,
+    regularisation: float = 0.0,
+) -> tuple[int, float] | None:
+    """The candidate of the largest s1^2 / w1 + s0^2 / w0 - s^2 / w, and that gain. The sums s of the values and w of
+    the weights run down the columns in a fixed order, so that the outcome does not depend on the machine's linear
+    algebra; `whole` is the weight of the undivided node, and `regularisation` is added to each weight."""
+    allowed = (counts >= least) & (len(values) - counts >= least)
     if not allowed.any():
         return None
-    gain = s1**2 / np.maximum(n1, 1) + s0**2 / np.maximum(n0, 1) - total**2 / count
+    s1 = (covered * values[:, None]).sum(axis=0)
+    total = values.sum()
+    w1, w0 = weights + regularisation, whole - weights + regularisation
+    gain = s1**2 / np.where(allowed, w1, 1) + (total - s1) ** 2 / np.where(allowed, w0, 1)
+    gain -= total**2 / (whole + regularisation)
     gain[~allowed] = -np.inf
     top = gain.max()
     best = int(np.argmax(gain >= top - _TIE * abs(top)))
-    return best if _is_significant(float(gain[best]), values, limits.significance) else None
+    return best, float(gain[best])
 
 
 def _variance(values: np.ndarray) -> float:

@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections import deque
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from nppg.coverage import Coverage, root_table
 from nppg.domain import Action, Domain, State
-from nppg.episode import Episode, generate_episode
+from nppg.episode import Episode, Step, generate_episode
 from nppg.errors import NppgError, Problem
-from nppg.gradient import functional_gradient, returns, taken_gradient
+from nppg.gradient import functional_gradient, gibbs, returns, taken_gradient
 from nppg.language_bias import LanguageBias
 from nppg.options import Options
 from nppg.policy import Policy
 from nppg.refinement import Refiner
-from nppg.tilde import grow
-from nppg.tree import leaves
+from nppg.tilde import Newton, grow
+from nppg.tree import Tree, leaves
 
 _IDLE = 1000  # episodes in a row without a step, after which there is nothing to wait for
 
@@ -31,31 +33,70 @@ class Iteration:
     recent: tuple[Episode, ...]
 
 
-@dataclass
-class Batch:
-    """The examples that gather between two trees."""
+class Visit(NamedTuple):
+    """A step and its return."""
 
-    states: list[State] = field(default_factory=list)
-    actions: list[Action] = field(default_factory=list)
-    answers: list[np.ndarray] = field(default_factory=list)
-    targets: list[np.ndarray] = field(default_factory=list)
+    step: Step
+    value: float
 
-    def add(self, episode: Episode, options: Options) -> None:
-        """Adds the functional gradient of every step (Proposition 3.1)."""
-        values = returns([step.reward for step in episode.steps], options.discount)
-        for step, value in zip(episode.steps, values.tolist(), strict=True):
-            if value == 0 and options.unrewarded == "drop":
-                continue
-            if options.update == "all":
-                updated = slice(None)
-                gradient = functional_gradient(step.probabilities, step.chosen, value)
-            else:
-                updated = slice(step.chosen, step.chosen + 1)
-                gradient = np.array([taken_gradient(step.probabilities, step.chosen, value)])
-            self.states += [step.state] * len(gradient)
-            self.actions += step.actions[updated]
-            self.answers.append(step.answers[updated])
-            self.targets.append(gradient)
+
+def visits(episode: Episode, options: Options) -> list[Visit]:
+    """The steps of an episode that trees learn from. A return of 0 gives neither gradient nor curvature, so a
+    second-order step learns nothing there."""
+    values = returns([step.reward for step in episode.steps], options.discount).tolist()
+    pairs = map(Visit, episode.steps, values)
+    keep = options.unrewarded == "keep" and options.step == "gradient"
+    return [visit for visit in pairs if visit.value != 0 or keep]
+
+
+def revisited(visit: Visit, policy: Policy) -> Visit:
+    """The same step as the present policy would see it."""
+    step = visit.step
+    answers = step.answers
+    if answers.shape[1] != len(policy.table):
+        answers = policy.table.answers(step.state, step.actions)
+    return Visit(replace(step, answers=answers, probabilities=gibbs(policy.potentials_of(answers))), visit.value)
+
+
+def updated_actions(step: Step, options: Options) -> slice:
+    """Which of a step's actions get an example."""
+    return slice(None) if options.update == "all" else slice(step.chosen, step.chosen + 1)
+
+
+class Examples(NamedTuple):
+    """What a tree is fitted to, an entry or a row for each updated action of each visit."""
+
+    states: list[State]
+    actions: list[Action]
+    answers: np.ndarray
+    gradients: np.ndarray
+    curvatures: np.ndarray
+
+
+def examples(batch: Sequence[Visit], options: Options) -> Examples:
+    """The functional gradient at each updated action b (Proposition 3.1), and the curvature
+    |value| pi(s, b) (1 - pi(s, b))."""
+    states: list[State] = []
+    actions: list[Action] = []
+    answers, gradients, curvatures = [], [], []
+    for step, value in batch:
+        updated, probabilities = updated_actions(step, options), step.probabilities
+        if options.update == "all":
+            gradients.append(functional_gradient(probabilities, step.chosen, value, options.importance))
+        else:
+            gradients.append(np.array([taken_gradient(probabilities, step.chosen, value)]))
+        curvatures.append((abs(value) * probabilities * (1 - probabilities))[updated])
+        answers.append(step.answers[updated])
+        actions += step.actions[updated]
+        states += [step.state] * len(gradients[-1])
+    return Examples(states, actions, *map(np.concatenate, (answers, gradients, curvatures)))
+
+
+def fitted(found: Examples, policy: Policy, refiner: Refiner, options: Options) -> Tree:
+    """The tree of one iteration."""
+    coverage = Coverage(policy.table, found.states, found.actions, found.answers)
+    newton = Newton(found.curvatures, options.regularisation, options.clip) if options.step == "second-order" else None
+    return grow(found.gradients, coverage, refiner, policy.bias.tree, newton)
 
 
 def train(domain: Domain, bias: LanguageBias, options: Options | None = None) -> Iterator[Iteration]:
@@ -64,24 +105,29 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None) ->
     rng = np.random.default_rng(options.seed)
     refiner = Refiner(bias)
     policy = Policy(domain, bias, root_table(domain, bias, refiner))
+    memory: deque[Visit] = deque(maxlen=options.replay)
     episodes = idle = 0
     yield Iteration(policy, episodes, ())
     while episodes < options.episodes:
-        batch = Batch()
+        batch: list[Visit] = []
         recent: list[Episode] = []
+        gathered = 0
         while episodes < options.episodes and (
-            len(batch.states) <= options.min_examples or len(recent) < options.episodes_per_iteration
+            gathered <= options.min_examples or len(recent) < options.episodes_per_iteration
         ):
             recent.append(generate_episode(policy, rng, options.guidance, options.horizon_factor))
-            batch.add(recent[-1], options)
+            new = visits(recent[-1], options)
+            gathered += sum(len(step.actions[updated_actions(step, options)]) for step, _ in new)
+            batch += new
             episodes += 1
             idle = 0 if recent[-1].steps else idle + 1
             if idle == _IDLE:
                 message = f"{idle} episodes took no step: their starts were goal or terminal states, or the horizon 0"
                 raise NppgError([Problem(str(domain.path), 0, 0, message)])
-        if len(batch.states) > options.min_examples:
-            coverage = Coverage(policy.table, batch.states, batch.actions, np.concatenate(batch.answers))
-            tree = grow(np.concatenate(batch.targets), coverage, refiner, bias.tree)
-            examples = f"{len(batch.states)} examples, {leaves(tree)} leaves"
-            policy.add(tree, options.step_size, f"step size {options.step_size}, {examples}")
+        if gathered > options.min_examples:
+            replayed = [revisited(visit, policy) for visit in memory]
+            tree = fitted(examples([*replayed, *batch], options), policy, refiner, options)
+            memory.extend(visit for visit in batch if visit.value != 0)
+            size = f"{gathered} examples, {leaves(tree)} leaves"
+            policy.add(tree, options.step_size, f"step size {options.step_size}, {size}")
         yield Iteration(policy, episodes, tuple(recent))

@@ -19,7 +19,7 @@ from nppg.evaluation import evaluate, evaluate_exactly
 from nppg.gradient import functional_gradient
 from nppg.options import Options
 from nppg.policy import Policy
-from nppg.training import Batch, train
+from nppg.training import examples, train, visits
 from nppg.tree import leaves
 
 
@@ -158,8 +158,8 @@ def test_the_examples_of_an_episode(four_blocks: Domain, plain_bias, update, unr
     options = Options(update=update, unrewarded=unrewarded, discount=discount)
     kinds = set()
     for episode in episodes(four_blocks, plain_bias, 40, guidance=0.3):
-        batch = Batch()
-        batch.add(episode, options)
+        learned = visits(episode, options)
+        found = examples(learned, options) if learned else None
         expected = []
         for t, step in enumerate(episode.steps):
             value = sum(discount**k * later.reward for k, later in enumerate(episode.steps[t:]))
@@ -169,10 +169,12 @@ def test_the_examples_of_an_episode(four_blocks: Domain, plain_bias, update, unr
                 if (value or unrewarded == "keep") and (update == "all" or b == step.chosen):
                     scale = step.probabilities[b] if update == "taken" else 1
                     expected.append((step.state, action, gradient / scale, step.answers[b].tolist()))
-        targets, answers = (np.concatenate(each or [np.empty(0)]) for each in (batch.targets, batch.answers))
-        assert batch.states == [each[0] for each in expected] and batch.actions == [each[1] for each in expected]
-        assert targets.tolist() == pytest.approx([each[2] for each in expected], abs=1e-12)
-        assert answers.tolist() == [each[3] for each in expected]
+        if found is None:
+            assert not expected
+            continue
+        assert found.states == [each[0] for each in expected] and found.actions == [each[1] for each in expected]
+        assert found.gradients.tolist() == pytest.approx([each[2] for each in expected], abs=1e-12)
+        assert found.answers.tolist() == [each[3] for each in expected]
     assert {0.0, 1.0} <= {value for _, value in kinds} and (discount != 0.5 or (True, 0.5) in kinds)
 
 
