@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from itertools import permutations, product
 from random import Random
 
@@ -131,24 +132,31 @@ def test_ten_blocks(space: Space) -> None:
     assert round(legal / space.starts, 3) == 9.297
 
 
+def check_frequencies(counts: dict, shares: dict) -> None:
+    """Chi-square against the 0.999 quantile (Wilson and Hilferty)."""
+    drawn, freedom = sum(counts.values()), len(shares) - 1
+    assert counts.keys() <= shares.keys()
+    chi = sum((counts.get(each, 0) - drawn * share) ** 2 / (drawn * share) for each, share in shares.items())
+    assert chi < freedom * (1 - 2 / (9 * freedom) + 3.09 * math.sqrt(2 / (9 * freedom))) ** 3
+
+
 def test_sampled_starts_are_uniform(four_blocks: Domain) -> None:
-    """Chi-square of the classes' frequencies, against the 0.999 quantile (Wilson and Hilferty)."""
+    """Over the classes with their weights, and over the 60 states that there are with each of the 12 goals."""
     space = Space(four_blocks)
     assert space.starts == 60
-    canonizer = Canonizer([f"b{i}" for i in range(1, 5)])
-    weight = {
-        canonizer.form(state)[0]: size / space.starts
-        for state, size, status in zip(space.states, space.sizes, space.status, strict=True)
-        if status == "running"
-    }
-    drawn, rng = 4000, np.random.default_rng(0)
-    counts = dict.fromkeys(weight, 0)
-    for _ in range(drawn):
-        counts[canonizer.form(four_blocks.start(rng))[0]] += 1
-    chi = sum((counts[form] - drawn * share) ** 2 / (drawn * share) for form, share in weight.items())
-    freedom = len(weight) - 1
-    limit = freedom * (1 - 2 / (9 * freedom) + 3.09 * math.sqrt(2 / (9 * freedom))) ** 3
-    assert freedom > 15 and chi < limit
+    names = [f"b{i}" for i in range(1, 5)]
+    canonizer = Canonizer(names)
+    shares: dict = {}
+    states: set = set()
+    for state, size, status in zip(space.states, space.sizes, space.status, strict=True):
+        if status == "running":
+            shares[canonizer.form(state)[0]] = size / space.starts
+            states |= {renamed(state, dict(zip(names, order, strict=True))) for order in permutations(names)}
+    assert len(states) == 60 * 12
+    rng = np.random.default_rng(0)
+    drawn = [four_blocks.start(rng) for _ in range(4000)]
+    check_frequencies(Counter(canonizer.form(state)[0] for state in drawn), shares)
+    check_frequencies(Counter(map(frozenset, drawn)), dict.fromkeys(states, 1 / len(states)))
 
 
 LAMPS = """

@@ -58,6 +58,7 @@ def test_a_full_memory_of_rows_changes_nothing(setting, monkeypatch: pytest.Monk
         policy.add(random_tree(refiner, 4, Random(seed)))
         same_as_the_clauses(policy, states)
         same_as_the_clauses(policy, [states[0]])
+        assert len(policy._forest._number) <= max(memory, len(domain.situation(states[0]).actions))
 
 
 def test_trees_of_one_leaf(blocks: Domain, plain_bias) -> None:
