@@ -109,6 +109,9 @@ def _parser() -> argparse.ArgumentParser:
         help="episodes between two points of the curve; 0: none (default: 50)",
     )
     train.add_argument("--starts", type=int, default=200, help="starts of a sampled point of the curve (default: 200)")
+    train.add_argument(
+        "--until-success", type=float, metavar="P", help="stop at the first point of the curve with this success"
+    )
     train.add_argument("--quiet", action="store_true", help="print nothing")
 
     how = evaluate.add_mutually_exclusive_group()
@@ -207,7 +210,10 @@ def _train(options: argparse.Namespace) -> int:
     bias = replace(bias, tree=replace(bias.tree, **given))
     output = options.output or Path("runs") / domain.name
     report = (lambda progress: None) if options.quiet else _reporter(chosen)
-    run(domain, bias, chosen, output, options.evaluate_every, options.starts, report)
+    until = options.until_success
+    if until is not None and not (0 <= until <= 1 and options.evaluate_every):
+        raise NppgError("until-success must be from 0 to 1, and needs points of the curve (evaluate-every)")
+    run(domain, bias, chosen, output, options.evaluate_every, options.starts, report, until)
     if not options.quiet:
         print(f"written to {output}/: " + ", ".join(sorted(each.name for each in output.glob("[!.]*"))))
     return 0
@@ -229,7 +235,7 @@ def _reporter(options: Options) -> Callable[[Progress], None]:
         if bar is not None:
             bar.update(progress.episodes - bar.n)
             bar.set_postfix(trees=len(progress.policy.trees), lately=f"{progress.recent:.2f}")
-            if progress.episodes == options.episodes:
+            if progress.ended:
                 bar.close()
         elif point is not None:
             print(

@@ -42,9 +42,14 @@ class Options:
         "what a tree fits: the paper's gradient, or second-order steps",
         choices=("gradient", "second-order"),
     )
-    regularisation: float = _option(1.0, "lambda of a second-order leaf, sum(f) / (sum(h) + lambda)", low=0)
+    regularisation: float = _option(0.25, "lambda of a second-order leaf, sum(f) / (sum(h) + lambda)", low=0)
     clip: float = _option(3.0, "a second-order leaf lies between -clip and clip", low=0)
-    importance: float = _option(1.0, "power of pi(s, a) that weights a step; 1 is the paper's", low=0, high=1)
+    importance: float = _option(
+        0.5,
+        "power of pi(s, a) that weights a visit in second-order steps; in the paper's gradient it is 1",
+        low=0,
+        high=1,
+    )
     replay: int = _option(0, "earlier rewarded steps that each tree learns from again, under the present policy", low=0)
     unrewarded: str = _option("keep", "what becomes of steps with return 0: keep, or drop", choices=("keep", "drop"))
 

@@ -54,6 +54,7 @@ class Progress:
     outcomes: list[bool] = field(default_factory=list)
     curve: list[Point] = field(default_factory=list)
     point: Point | None = None
+    ended: bool = False
 
     @property
     def recent(self) -> float:
@@ -69,11 +70,13 @@ def run(
     evaluate_every: int = 50,
     starts: int = 1000,
     report: Callable[[Progress], None] = lambda progress: None,
+    until_success: float | None = None,
 ) -> Progress:
     """Trains and writes the files into the folder `output`.
 
     Every `evaluate_every` episodes (0: never) the policy is evaluated: exactly where the domain allows it and has
-    few classes of states, else on `starts` sampled starts. On KeyboardInterrupt the files are written for what has
+    few classes of states, else on `starts` sampled starts. With `until_success` the run ends at the first such point
+    where the stochastic policy reaches it. On KeyboardInterrupt the files are written for what has
     been learned, then it is raised again; after a mistake of the domain they are written as far as there was
     none before, so that nothing is lost and nothing overwritten.
     """
@@ -92,7 +95,11 @@ def run(
                 judge = judge or _judge(iteration.policy, starts, options)
                 progress.point = _point(progress, *judge(iteration.policy))
                 progress.curve.append(progress.point)
+            reached = until_success is not None and progress.point and progress.point.success >= until_success
+            progress.ended = bool(reached) or progress.episodes == options.episodes
             report(progress)
+            if reached:
+                break
             progress.point = None
             clock = time.perf_counter()
     except BaseException as error:

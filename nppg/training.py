@@ -79,10 +79,11 @@ def examples(batch: Sequence[Visit], options: Options) -> Examples:
     states: list[State] = []
     actions: list[Action] = []
     answers, gradients, curvatures = [], [], []
+    importance = options.importance if options.step == "second-order" else 1.0
     for step, value in batch:
         updated, probabilities = updated_actions(step, options), step.probabilities
         if options.update == "all":
-            gradients.append(functional_gradient(probabilities, step.chosen, value, options.importance))
+            gradients.append(functional_gradient(probabilities, step.chosen, value, importance))
         else:
             gradients.append(np.array([taken_gradient(probabilities, step.chosen, value)]))
         curvatures.append((abs(value) * probabilities * (1 - probabilities))[updated])
