@@ -103,6 +103,7 @@ class _Judge:
         if self.exact and policy.table is self.table:
             if self.shared is None:
                 self.shared = ExactEvaluator(policy, self.exact.space)
+                self.shared.potentials()  # asks for the answers that all others use
             return self.shared.of(policy).evaluate(greedy=True).success
         if self.exact:
             return self.exact.of(policy).evaluate(greedy=True).success

@@ -22,7 +22,8 @@ _DRAWN = 32  # starts that are held against the space
 class Space:
     """The classes of a domain's states, each with one representative.
 
-    `states`, `sizes`, `status`, `horizons` and `actions` have an entry for each class. The pairs of a running class
+    `states`, `sizes`, `status`, `horizons` and `actions` have an entry for each class, and `running` says which are
+    start states, `starts` of them in all. The pairs of a running class
     and one of its actions are numbered through; `owner` is the class of each pair. An outcome leads from the pair
     `origin` to the class `target` with probability `weight`.
 
@@ -45,6 +46,8 @@ class Space:
         while (changed := self._explore(drawn[0], objects, rigid)) is not None:
             rigid.discard(changed)
         self._check(drawn, objects)
+        self.running = np.array([status == "running" for status in self.status])
+        self.starts = sum(size for size, running in zip(self.sizes, self.running, strict=True) if running)
 
     def _objects(self, state: State, predicate: str) -> list[Ground]:
         self.domain.visit(state)
@@ -109,16 +112,6 @@ class Space:
                     f"{self.domain.path}: not all starts can be reached from one of them (by a renaming of objects), "
                     f"for instance {state}; evaluate on sampled starts"
                 )
-
-    @property
-    def running(self) -> np.ndarray:
-        """Which classes are start states: those that are neither goal nor terminal."""
-        return np.array([status == "running" for status in self.status])
-
-    @property
-    def starts(self) -> int:
-        """The number of start states."""
-        return sum(size for size, status in zip(self.sizes, self.status, strict=True) if status == "running")
 
     def lengths(self) -> dict[int, int]:
         """How many starts have each horizon."""
