@@ -8,11 +8,13 @@ help:   ## list these targets
 setup:  ## make ready what is still missing: SWI-Prolog, .venv, nppg in it
 	@./setup
 
-demo: setup  ## learn on(A,B) among ten blocks, show a rule, prove the success over all starts
+demo: setup  ## learn on(A, B) among ten blocks, distil it into rules, prove them over all starts
 	$(bin)/nppg train blocks_world --seed 0 --episodes 2000 --evaluate-every 50 --output runs/demo
 	$(bin)/nppg show runs/demo/model.pl --tree 500
 	$(bin)/nppg evaluate runs/demo/model.pl --exact
-	@echo "The learning curve is in runs/demo/curve.png, the policy in runs/demo/model.pl."
+	@echo "The learning curve is in runs/demo/curve.png, the policy in runs/demo/model.pl. Now its rules, distilled:"
+	$(bin)/nppg distill runs/demo/model.pl
+	$(bin)/nppg prove runs/demo/rules.pl --output runs/demo/proof.json
 
 lint: setup  ## style and types
 	$(bin)/ruff check

@@ -8,7 +8,8 @@ trees grown from it later. What a node needs beyond them, tests about the existe
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import weakref
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -64,6 +65,7 @@ class TestTable:
         self.tests: list[Query] = []
         self._index: dict[Query, int] = {}
         self._groups = [_Groups() for _ in bias.actions]
+        self.loaded: Callable[[], Coverage | None] = lambda: None  # whose examples Prolog holds
         self._columns: dict[int, tuple[int, Sequence[Refinement], np.ndarray]] = {}
 
     def __len__(self) -> int:
@@ -157,7 +159,6 @@ class Coverage:
         self.states = states
         self.actions = actions
         self.bits = self._ask_table() if bits is None else bits
-        self._loaded = False
 
     def _runs(self) -> list[tuple[int, int]]:
         """The stretches of examples that stand in the same state."""
@@ -211,13 +212,13 @@ class Coverage:
         return answers
 
     def _load(self) -> None:
-        if not self._loaded:
+        if self.table.loaded() is not self:
             runs = self._runs()
             numbers = np.repeat(np.arange(len(runs)), [b - a for a, b in runs]).tolist()
             pairs = [[number, action] for number, action in zip(numbers, self.actions, strict=True)]
             self.table.domain.forget()
             ask("examples", self.table.name, [list(self.states[a]) for a, _ in runs], pairs)
-            self._loaded = True
+            self.table.loaded = weakref.ref(self)
 
 
 def root_table(domain: Domain, bias: LanguageBias, refiner: Refiner) -> TestTable:

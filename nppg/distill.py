@@ -27,6 +27,7 @@ from nppg.tree import Rule, Tree, from_rules, rules
 _GOOD = 0.3  # an action counts as preferred from this share of the best one's probability on
 _DEPTHS = range(1, 9)
 _EPISODES = 300
+_STEP = 10.0  # between two values of the rules
 
 
 def distill(policy: Policy, bias: LanguageBias, max_rules: int = 10) -> Policy:
@@ -47,14 +48,14 @@ def distill(policy: Policy, bias: LanguageBias, max_rules: int = 10) -> Policy:
         found = list(rules(tree))
         if judge.rules_success(found) >= wanted:
             break
-    pruned = _pruned(found, judge.rules_success)
+    pruned = _pruned(found, refiner, judge.rules_success)
     while len(pruned) > max(max_rules, 1):
-        pruned = _pruned(max(_without_rule(pruned), key=judge.rules_success), judge.rules_success)
-    return judge.policy(pruned)
+        pruned = _pruned(max(_without_rule(pruned), key=judge.rules_success), refiner, judge.rules_success)
+    return judge.policy(_levelled(pruned, judge.rules_success))
 
 
 class _Judge:
-    """How well rules do: exactly where that is possible, else on sampled starts that are always the same."""
+    """How well rules do: exactly where that is possible, else on starts sampled with one seed."""
 
     def __init__(self, policy: Policy, table: TestTable, bias: LanguageBias):
         self.original = policy
@@ -103,7 +104,7 @@ class _Judge:
         if self.exact and policy.table is self.table:
             if self.shared is None:
                 self.shared = ExactEvaluator(policy, self.exact.space)
-                self.shared.potentials()  # asks for the answers that all others use
+            self.shared.potentials()  # asks for the answers that all others use
             return self.shared.of(policy).evaluate(greedy=True).success
         if self.exact:
             return self.exact.of(policy).evaluate(greedy=True).success
@@ -117,13 +118,13 @@ class _Judge:
         return self._known[key]
 
 
-def _pruned(ordered: list[Rule], success: Callable[[list[Rule]], float]) -> list[Rule]:
+def _pruned(ordered: list[Rule], refiner: Refiner, success: Callable[[list[Rule]], float]) -> list[Rule]:
     """Drops rules, then literals, as long as no success is lost; the last rule stays, and holds always."""
     best = success(ordered)
     shorter = True
     while shorter:
         shorter = False
-        for candidate in (*_without_rule(ordered), *_without_literal(ordered)):
+        for candidate in (*_without_rule(ordered), *_without_literal(ordered, refiner)):
             if success(candidate) >= best:
                 ordered, best, shorter = candidate, success(candidate), True
                 break
@@ -135,9 +136,27 @@ def _without_rule(ordered: list[Rule]) -> Iterator[list[Rule]]:
         yield ordered[:i] + ordered[i + 1 :]
 
 
-def _without_literal(ordered: list[Rule]) -> Iterator[list[Rule]]:
+def _without_literal(ordered: list[Rule], refiner: Refiner) -> Iterator[list[Rule]]:
+    """Only what the language bias allows: no literal may lose the one that binds its variables."""
     for i, rule in enumerate(ordered[:-1]):
         for literal in reversed(rule.query):
             query = tuple(each for each in rule.query if each != literal)
-            if query:
+            if query and refiner.allows(query):
                 yield [*ordered[:i], replace(rule, query=query), *ordered[i + 1 :]]
+
+
+def _levelled(ordered: list[Rule], success: Callable[[list[Rule]], float]) -> list[Rule]:
+    """The same choices with as few different values as possible: multiples of a number that makes the stochastic
+    policy nearly greedy. Neighbouring values become one where that costs no success."""
+    ranks = {value: rank for rank, value in enumerate(sorted({rule.value for rule in ordered}))}
+    levels = [ranks[rule.value] for rule in ordered]
+    best = success(ordered)
+    for upper in range(max(levels), 0, -1):
+        merged = [level - (level >= upper) for level in levels]
+        if success(_with_levels(ordered, merged)) >= best:
+            levels = merged
+    return _with_levels(ordered, levels)
+
+
+def _with_levels(ordered: list[Rule], levels: list[int]) -> list[Rule]:
+    return [replace(rule, value=_STEP * level) for rule, level in zip(ordered, levels, strict=True)]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +15,7 @@ from nppg.forest import Forest
 from nppg.gradient import gibbs
 from nppg.language_bias import LanguageBias
 from nppg.prolog import ask, drop_with
-from nppg.tree import Leaf, Node, Tree, leaves, rules
+from nppg.tree import Leaf, Tree, leaves, mapped, rules
 
 
 class Policy:
@@ -31,13 +31,15 @@ class Policy:
         self.table = table or TestTable(domain, bias)
         self.trees: list[Tree] = []
         self.comments: list[str] = []
-        self.name: str = ask("policy", domain.module)
+        self.facts: Mapping[str, list] = {}  # what the head of its model file says, where it was read from one
+        signatures = [(each.name, each.types) for each in bias.actions] + list(bias.types.items())
+        self.name: str = ask("policy", domain.module, [[name, *types] for name, types in signatures])
         drop_with(self, "policy_drop", self.name)
         self._forest = Forest()
 
     def add(self, tree: Tree, step_size: float = 1.0, comment: str = "") -> None:
         """Adds step_size * tree to the potential."""
-        scaled = _scaled(tree, step_size)
+        scaled = mapped(tree, lambda value: float(value * step_size))
         ask("tree", self.name, [to_clause(rule, self.bias) for rule in rules(scaled)])
         self.table.add(_tests(scaled))
         self._forest.add(scaled, self.table.column)
@@ -74,7 +76,8 @@ class Policy:
         return ask("rules", self.name, tree)
 
     def save(self, path: str | Path, facts: Sequence[tuple] = ()) -> None:
-        """Writes a model file, with `facts` in its head: pairs of a name and a term. See nppg.model."""
+        """Writes a model file, with `facts` in its head: pairs of a name and a term. A copy of the domain comes to
+        stand beside it; raises NppgError where another file of that name is there. See nppg.model."""
         from nppg.model import write
 
         write(self, Path(path), facts)
@@ -99,12 +102,6 @@ def choose(probabilities: np.ndarray, rng: np.random.Generator, greedy: bool = F
 def is_best(probabilities: np.ndarray, highest: np.ndarray | float) -> np.ndarray:
     """Which probabilities are the highest, but for rounding."""
     return probabilities >= highest * (1 - 1e-9)
-
-
-def _scaled(tree: Tree, factor: float) -> Tree:
-    if isinstance(tree, Leaf):
-        return Leaf(float(tree.value * factor), tree.examples)
-    return Node(tree.literals, tree.tests, _scaled(tree.yes, factor), _scaled(tree.no, factor))
 
 
 def _tests(tree: Tree) -> list:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import product
 
-from nppg.language_bias import LanguageBias, Mode
+from nppg.language_bias import Argument, LanguageBias, Mode
 from nppg.logic import Literal, Query, Term, Var, components, normal_form, solve_equalities, substitute, subsumes
 
 KIND = "$action"
@@ -54,6 +54,27 @@ class Refiner:
                 self._by_query.clear()
             self._by_query[query] = found
         return found
+
+    def allows(self, query: Query) -> bool:
+        """Whether some mode declaration allows each literal of a query behind those before it."""
+        return all(
+            literal.name == KIND
+            or any(self._is_instance(literal, mode, self._typed_variables(query[:i])) for mode in self.bias.modes)
+            for i, literal in enumerate(query)
+        )
+
+    def _is_instance(self, literal: Literal, mode: Mode, types: dict[Var, str]) -> bool:
+        def fits(term: Term, arg: Argument) -> bool:
+            if not isinstance(term, Var):
+                return arg.kind == "#" and term in arg.constants
+            known = term in types
+            if arg.kind == "#" or (known and not self.bias.fits(types[term], arg.type)):
+                return False
+            return known or (arg.kind != "+" and term.index >= self.root_count)
+
+        return (literal.name, len(literal.args)) == (mode.name, len(mode.args)) and all(
+            map(fits, literal.args, mode.args)
+        )
 
     def _matters(self, literal: Literal) -> bool:
         """Whether what can be added depends on the literal."""

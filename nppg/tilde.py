@@ -17,7 +17,7 @@ from nppg.domain import Action, Domain, State
 from nppg.language_bias import LanguageBias, TreeLimits
 from nppg.logic import Query
 from nppg.refinement import Refiner
-from nppg.tree import Leaf, Node, Tree
+from nppg.tree import Leaf, Node, Tree, mapped
 
 _TIE = 1e-9  # gains this near to the best one, relatively, count as equal: the first candidate wins
 
@@ -35,7 +35,9 @@ def fit(examples: Sequence[Example], domain: Domain, bias: LanguageBias) -> Tree
     refiner = Refiner(bias)
     states, actions = [each.state for each in examples], [each.action for each in examples]
     coverage = Coverage(root_table(domain, bias, refiner), states, actions)
-    return grow(np.array([each.value for each in examples], float), coverage, refiner, bias.tree)
+    targets = np.array([each.value for each in examples], float)
+    mean = math.fsum(targets.tolist()) / max(len(targets), 1)  # far from 0, sums of squares would cancel
+    return mapped(grow(targets - mean, coverage, refiner, bias.tree), lambda value: value + mean)
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,12 +131,13 @@ def _best_gain(
     s1 = (covered * values[:, None]).sum(axis=0)
     total = values.sum()
     w1, w0 = weights + regularisation, whole - weights + regularisation
+    allowed &= (w1 > 0) & (w0 > 0)
     gain = s1**2 / np.where(allowed, w1, 1) + (total - s1) ** 2 / np.where(allowed, w0, 1)
     gain -= total**2 / (whole + regularisation)
     gain[~allowed] = -np.inf
     top = gain.max()
     best = int(np.argmax(gain >= top - _TIE * abs(top)))
-    return best, float(gain[best])
+    return (best, float(gain[best])) if allowed[best] else None
 
 
 def _variance(values: np.ndarray) -> float:

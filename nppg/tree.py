@@ -52,6 +52,13 @@ def rules(tree: Tree, query: Query = ()) -> Iterator[Rule]:
         yield from rules(tree.no, query)
 
 
+def mapped(tree: Tree, change: Callable[[float], float]) -> Tree:
+    """The tree with each leaf's value changed."""
+    if isinstance(tree, Leaf):
+        return Leaf(change(tree.value), tree.examples)
+    return Node(tree.literals, tree.tests, mapped(tree.yes, change), mapped(tree.no, change))
+
+
 def leaves(tree: Tree) -> int:
     """The number of leaves."""
     return 1 if isinstance(tree, Leaf) else leaves(tree.yes) + leaves(tree.no)

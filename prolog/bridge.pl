@@ -180,8 +180,8 @@ examples(Table, StateData, ExampleData, true) :-
 cover(Table, Packs, Examples, Words) :-
     coverage(Table, Packs, Examples, Words).
 
-policy(Module, Policy) :-
-    new_policy(Module, Policy).
+policy(Module, Signatures, Policy) :-
+    new_policy(Module, Signatures, Policy).
 
 policy_drop(Policy, true) :-
     drop_policy(Policy).
@@ -193,7 +193,8 @@ potentials(Policy, Data, Potentials) :-
     findall(Potential, ( member(Encoded, Data), decode(Encoded, Action), potential(Policy, Action, Potential) ), Potentials).
 
 rules(Policy, Tree, Texts) :-
-    findall(Text, ( rule(Policy, Tree, Clause), rule_text(Clause, Text) ), Texts).
+    signatures(Policy, Signatures),
+    findall(Text, ( rule(Policy, Tree, Clause), rule_text(Signatures, Clause, Text) ), Texts).
 
 save(File, Name, DomainFile, Facts, Policy, Comments, true) :-
     write_model(File, Name, DomainFile, Facts, Policy, Comments).

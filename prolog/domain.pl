@@ -224,6 +224,12 @@ load_domain(File, Parameters, Module, Description) :-
     ),
     forall(( contract(Indicator), defined(Module, Indicator) ),
            assertz(defines(Module, Indicator))),
+    (   current_predicate(Module:TabledName/TabledArity),
+        functor(Tabled, TabledName, TabledArity),
+        predicate_property(Module:Tabled, tabled)
+    ->  forget_tables(Module)
+    ;   true
+    ),
     findall([Key, Value], description(Module, Name, Key, Value), Description).
 
 module_name(File, Name) :-

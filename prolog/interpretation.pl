@@ -3,6 +3,7 @@
             interpretation/2,    % +Module, -Facts       det
             change/3,            % +Module, +Delete, +Add  det
             tampered/1,          % +Module               semidet
+            forget_tables/1,     % +Module               det
             forget/1             % +Module               det
           ]).
 
@@ -16,7 +17,9 @@ module, so that domain code needs no state argument. A state is an ordered set o
 another state current touches only the facts in which the two differ.
 */
 
-:- dynamic current/2.            % Module, Facts
+:- dynamic
+    current/2,                   % Module, Facts
+    tabling/1.                   % Module: its tables hold for one interpretation only
 
 interpretation(Module, Facts) :-
     (   current(Module, Current)
@@ -31,7 +34,11 @@ interpret(Module, Facts) :-
     forall(member(Fact, Gone), ignore(retract(Module:Fact))),
     forall(member(Fact, New), assertz(Module:Fact)),
     retractall(current(Module, _)),
-    assertz(current(Module, Facts)).
+    assertz(current(Module, Facts)),
+    (   tabling(Module)
+    ->  abolish_module_tables(Module)
+    ;   true
+    ).
 
 change(Module, Delete, Add) :-
     interpretation(Module, Old),
@@ -54,5 +61,13 @@ tampered(Module) :-
     msort(Stored, Sorted),
     Sorted \== Facts.
 
+%!  forget_tables(+Module) is det.
+%
+%   From now on drops the answers of the module's tabled predicates when another state becomes current.
+
+forget_tables(Module) :-
+    assertz(tabling(Module)).
+
 forget(Module) :-
+    retractall(tabling(Module)),
     retractall(current(Module, _)).

@@ -1,13 +1,14 @@
 :- module(nppg_model,
           [ write_model/6,       % +File, +Name, +DomainFile, +Facts, +Policy, +Comments  det
             read_model/2,        % +File, -Model                det
-            rule_text/2          % +Clause, -Text               det
+            rule_text/3          % +Signatures, +Clause, -Text  det
           ]).
 
-:- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/3, member/2, nth0/3, nth1/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [foldl/4, foldl/5, maplist/2, maplist/3]).
+:- use_module(library(lists), [append/3, member/2, nth0/3, nth1/3, same_length/2]).
 :- use_module(library(readutil), [read_file_to_string/3]).
-:- use_module(potential, [rule/3]).
+:- use_module(potential, [rule/3, signatures/2]).
 :- use_module(report, [explanation/2]).
 :- use_module(terms).
 
@@ -53,16 +54,23 @@ header((:- module(policy, [state/1, potential/2, best_action/1, delta/3]))).
 
 write_tree(Out, Policy, Tree, Comment) :-
     format(Out, '~n% tree ~d: ~w~n', [Tree, Comment]),
-    forall(( rule(Policy, Tree, Clause), rule_text(Clause, Text) ),
+    signatures(Policy, Signatures),
+    forall(( rule(Policy, Tree, Clause), rule_text(Signatures, Clause, Text) ),
            format(Out, '~w~n', [Text])).
 
-%!  rule_text(+Clause, -Text) is det.
+%!  rule_text(+Signatures, +Clause, -Text) is det.
 %
-%   A clause on one line, its variables named in the order of occurrence.
+%   A clause on one line. A variable is named after the type of the argument where it first stands, in the
+%   order of occurrence; by a letter where that has no signature.
 
-rule_text(Clause, Text) :-
+rule_text(Signatures, Clause, Text) :-
     copy_term(Clause, (Head :- Body)),
-    numbervars(Head-Body, 0, _, [singletons(true)]),
+    term_singletons(Head-Body, Singletons),
+    maplist(=('$VAR'('_')), Singletons),
+    goals(Body, Literals),
+    arg(2, Head, Action),
+    foldl(name_variables(Signatures), [Action|Literals], [], _),
+    numbervars(Head-Body, 0, _),
     Options = [quoted(true), numbervars(true), spacing(next_argument)],
     (   Body == true
     ->  format(atom(Text), '~W.', [Head, Options])
@@ -71,6 +79,30 @@ rule_text(Clause, Text) :-
         atomic_list_concat(Texts, ', ', BodyText),
         format(atom(Text), '~W :- ~w.', [Head, Options, BodyText])
     ).
+
+name_variables(Signatures, Literal, Named0, Named) :-
+    (   compound(Literal),
+        Literal =.. [Name|Args],
+        member([Name|Types], Signatures),
+        same_length(Args, Types)
+    ->  foldl(name_variable, Args, Types, Named0, Named)
+    ;   Named = Named0
+    ).
+
+name_variable(Variable, Type, Named, [Type|Named]) :-
+    var(Variable),
+    !,
+    sub_atom(Type, 0, 1, _, First),
+    sub_atom(Type, 1, _, 0, Rest),
+    upcase_atom(First, Capital),
+    aggregate_all(count, member(Type, Named), Before),
+    (   Before == 0
+    ->  Suffix = ''
+    ;   Suffix is Before+1
+    ),
+    atomic_list_concat([Capital, Rest, Suffix], VariableName),
+    Variable = '$VAR'(VariableName).
+name_variable(_, _, Named, Named).
 
 goals(Body, [Goal|Goals]) :-
     nonvar(Body),
@@ -130,7 +162,8 @@ syntax_problem(_, Error) :-
     throw(Error).
 
 described([model(Key, Value)-_|Terms], [[Key, Data]|Facts], Rest) :-
-    ground(Key-Value),
+    atom(Key),
+    ground(Value),
     !,
     encode(Value, Data),
     described(Terms, Facts, Rest).

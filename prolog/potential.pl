@@ -1,5 +1,6 @@
 :- module(nppg_potential,
-          [ new_policy/2,        % +Module, -Policy                    det
+          [ new_policy/3,        % +Module, +Signatures, -Policy       det
+            signatures/2,        % +Policy, -Signatures                det
             drop_policy/1,       % +Policy                             det
             add_tree/2,          % +Policy, +Clauses                   det
             potential/3,         % +Policy, +Action, -Potential        det
@@ -16,20 +17,26 @@ are already multiplied by the tree's step size, so the potential of an action in
 sum of the first answers, Psi(s, a) = delta(1, a) + ... + delta(M, a), added in this order.
 */
 
-:- dynamic policies/1, size/2.
+:- dynamic policies/1, size/2, signatures/2.
 policies(0).
 
-new_policy(Module, Policy) :-
+%!  new_policy(+Module, +Signatures, -Policy) is det.
+%
+%   Signatures is a list of [Name|Types], the types of the arguments of actions and predicates.
+
+new_policy(Module, Signatures, Policy) :-
     retract(policies(Count0)),
     Count is Count0+1,
     assertz(policies(Count)),
     atom_concat('nppg_policy#', Count, Policy),
     add_import_module(Policy, Module, start),
     dynamic(Policy:(delta/3)),
-    assertz(size(Policy, 0)).
+    assertz(size(Policy, 0)),
+    assertz(signatures(Policy, Signatures)).
 
 drop_policy(Policy) :-
     retractall(size(Policy, _)),
+    retractall(signatures(Policy, _)),
     retractall(Policy:delta(_, _, _)).
 
 %!  add_tree(+Policy, +Clauses) is det.

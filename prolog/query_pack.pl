@@ -48,7 +48,7 @@ new_table(Module, Kinds, Goal, Table) :-
     atom_concat('nppg_table#', Count, Table),
     set_module(Table:class(system)),
     add_import_module(Table, Module, start),
-    dynamic(Table:(row/3)),
+    dynamic(Table:('$row'/3)),
     assertz(layout(Table, Module, Kinds, Goal)),
     set_roots(Table, Kinds, Goal).
 
@@ -73,7 +73,7 @@ drop_table(Table) :-
     retractall(roots(Table, _, _, _, _)),
     retractall(groups(Table, _, _)),
     drop_examples(Table),
-    retractall(Table:row(_, _, _)).
+    retractall(Table:'$row'(_, _, _)).
 
 root_count(Table, Count) :-
     layout(Table, _, Kinds, Goal),
@@ -110,8 +110,8 @@ set_tests(Table, Kind, [Number, Positions], Words) :-
 set_word(Table, Count, Tests, Key, Next) :-
     functor(Roots, roots, Count),
     foldl(test_bit(Roots), Tests, bits(1, 0, true), bits(_, Bits, Body)),
-    retractall(Table:row(Key, _, _)),
-    compiled(Table, (row(Key, Roots, Bits) :- Body)),
+    retractall(Table:'$row'(Key, _, _)),
+    compiled(Table, ('$row'(Key, Roots, Bits) :- Body)),
     Next is Key+1.
 
 compiled(Table, Clause) :-
@@ -211,7 +211,7 @@ projection([Position|Positions], Roots, [Value|Values]) :-
 words(End, End, _, _, []) :-
     !.
 words(Key, End, Table, Roots, [Word|Words]) :-
-    Table:row(Key, Roots, Word),
+    Table:'$row'(Key, Roots, Word),
     Next is Key+1,
     words(Next, End, Table, Roots, Words).
 
@@ -226,7 +226,7 @@ blame_table(Table, Kinds, AllRoots, Fault) :-
         member(group(Key, End, _), Groups),
         Last is End-1,
         between(Key, Last, Word),
-        catch(( blame(Module, Table:row(Word, Roots, _), Roots), fail ), Blamed, true)
+        catch(( blame(Module, Table:'$row'(Word, Roots, _), Roots), fail ), Blamed, true)
     ->  throw(Blamed)
     ;   throw(nppg_fault(Module:test/0, Fault))
     ).
@@ -303,7 +303,7 @@ coverage(Table, Packs, Examples, Words) :-
     setup_call_cleanup(
         foldl(compile_pack(Table), Packs, 0, Count),
         phrase(example_words(Examples, Table, Module, Count, -1), Words),
-        retractall(Table:pack(_, _, _))).
+        retractall(Table:'$pack'(_, _, _))).
 
 compile_pack(Table, [Prefix, Tests], Number, Next) :-
     root_count(Table, Count),
@@ -314,7 +314,7 @@ compile_pack(Table, [Prefix, Tests], Number, Next) :-
     length(Tests, Size),
     Full is (1<<Size)-1,
     foldl(pack_bit(Shared), Tests, bits(1, Bits0, true), bits(_, Bits, Body)),
-    compiled(Table, ( pack(Number, Roots, Answer) :-
+    compiled(Table, ( '$pack'(Number, Roots, Answer) :-
                           Answers = answers(0),
                           (   PrefixGoal,
                               arg(1, Answers, Bits0),
@@ -350,7 +350,7 @@ example_words([Number|Numbers], Table, Module, Count, Current) -->
 pack_words(Count, Count, _, _) -->
     !.
 pack_words(Number, Count, Table, Roots) -->
-    { answered(Table, Table:pack(Number, Roots, Word), Roots),
+    { answered(Table, Table:'$pack'(Number, Roots, Word), Roots),
       Next is Number+1
     },
     [Word],

@@ -103,7 +103,7 @@ def refused(path: Path, text: str) -> NppgError:
 
 def test_the_model_is_readable(model: Path) -> None:
     text = model.read_text()
-    assert "delta(1, move(_, _), 0.5) :- goal_on(A, _), clear(A), !.\n" in text
+    assert "delta(1, move(_, _), 0.5) :- goal_on(Block, _), clear(Block), !.\n" in text
     assert "delta(1, move(_, floor), 1.0) :- !.\n" in text
     assert "delta(1, _, -0.5).\n" in text or "delta(1, move(_, _), -0.5).\n" in text
 
@@ -184,6 +184,9 @@ def test_a_model_that_is_cut_off_anywhere_is_refused(model: Path) -> None:
         ("model(goal, goal_on(block, block))", "model(goal, 1.5)"),
         ("model(trees, 2)", "model(trees, 3)"),
         ("model(trees, 2)", "model(trees, X)"),
+        ("model(trees, 2)", "model([a], 1)"),
+        ("model(trees, 2)", "model(f(x), 1)"),
+        ("model(trees, 2)", "model(2, trees)"),
         ("0.25", "10" * 400),
     ],
 )

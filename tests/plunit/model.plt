@@ -6,15 +6,18 @@
 written(File) :-
     tmp_file_stream(File, Out, [encoding(utf8), extension(pl)]),
     close(Out),
-    new_policy(model_world, Policy),
+    new_policy(model_world, [], Policy),
     add_tree(Policy, [[2, [move, 0], [['A b', 0, 1], [on, 1, [floor]]], 0.5], [1, [], [], -1.25]]),
     write_model(File, toy, 'toy.pl', [[format, 1], [parameter, -(=, n, 3)]], Policy, ['one tree']),
     drop_policy(Policy).
 
 test(text, Text == 'delta(1, move(A), 0.5) :- on(A, _), \'B c\'(A), !.') :-
-    rule_text((delta(1, move(X), 0.5) :- on(X, _), 'B c'(X), !), Text).
+    rule_text([], (delta(1, move(X), 0.5) :- on(X, _), 'B c'(X), !), Text).
+test(names, Text == 'delta(1, move(Block, Block2), 0.5) :- on(Block, Place), over(Place, Block2), !.') :-
+    rule_text([[move, block, block], [over, place, block]],
+              (delta(1, move(X, Y), 0.5) :- on(X, Z), over(Z, Y), !), Text).
 test(fact_text, Text == 'delta(1, _, 0.5).') :-
-    rule_text((delta(1, _, 0.5) :- true), Text).
+    rule_text([], (delta(1, _, 0.5) :- true), Text).
 test(there_and_back, [true(Model = [Facts, toy, 'toy.pl', Rules]),
                       true(Facts-Rules = [[format, 1], [parameter, -(=, n, 3)]]
                            -[ [_, 1, [move, 0], [['A b', 0, 1], [on, 1, [floor]]], 0.5, false], [_, 1, [], [], -1.25, true] ])]) :-
