@@ -13,7 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nppg.prolog import ask, drop_with, randomness
+from nppg.errors import NppgError, Problem
+from nppg.prolog import ask, drop_with, ground, randomness
 from nppg.shipped import locate
 
 Ground = str | int | float | tuple
@@ -45,6 +46,10 @@ class Domain:
     def __init__(self, name_or_path: str | Path, parameters: Mapping[str, int | float | str] | None = None):
         self.path = locate(name_or_path, "domains", ".pl")
         given = [[key, value] for key, value in (parameters or {}).items()]
+        try:
+            self.source = self.path.read_bytes()
+        except OSError as error:
+            raise NppgError([Problem(str(self.path), 0, 0, f"cannot be read: {error.strerror}")]) from None
         self.module, entries = ask("load", str(self.path.resolve()), given)
         drop_with(self, "unload", self.module)
         description = dict(entries)
@@ -61,8 +66,8 @@ class Domain:
 
     @property
     def hash(self) -> str:
-        """SHA-256 of the file, in hexadecimal."""
-        return hashlib.sha256(self.path.read_bytes()).hexdigest()
+        """SHA-256 of the file as it was loaded, in hexadecimal."""
+        return hashlib.sha256(self.source).hexdigest()
 
     def visit(self, state: State) -> None:
         """Makes a state the current interpretation in Prolog."""
@@ -79,13 +84,14 @@ class Domain:
         """Draws a start state."""
         self._current = None
         with randomness(rng):
-            self._current = tuple(ask("draw", self.module))
+            self._current = ground(ask("draw", self.module))
         return self._current
 
     def situation(self, state: State) -> Situation:
         """Whether the state ends an episode, and its legal actions in a fixed order."""
         self.visit(state)
-        return Situation(*ask("situation", self.module))
+        status, actions = ask("situation", self.module)
+        return Situation(status, [ground(action) for action in actions])
 
     def horizon(self, state: State) -> int:
         """The number of steps after which an episode that starts here ends."""
@@ -95,7 +101,7 @@ class Domain:
     def expert_actions(self, state: State) -> list[Action]:
         """What the domain's expert would do, none if it has no advice."""
         self.visit(state)
-        return ask("expert_actions", self.module)
+        return [ground(action) for action in ask("expert_actions", self.module)]
 
     def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]:
         """Takes an action: the reward, and the state that it leads to."""
@@ -103,14 +109,14 @@ class Domain:
         self._current = None
         with randomness(rng):
             reward, facts = ask("act", self.module, action)
-        self._current = tuple(facts)
+        self._current = ground(facts)
         return reward, self._current
 
     def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
         """Every legal action, also of a goal or terminal state, with all its outcomes."""
         self.visit(state)
         return [
-            (action, [Outcome(probability, tuple(facts)) for probability, facts in outcomes])
+            (ground(action), [Outcome(probability, ground(facts)) for probability, facts in outcomes])
             for action, outcomes in ask("neighbours", self.module)
         ]
 
@@ -121,4 +127,4 @@ class Domain:
 
     def members(self, predicate: str) -> list[Ground]:
         """All X for which predicate(X) holds in the current state, sorted."""
-        return ask("members", self.module, predicate)
+        return [ground(each) for each in ask("members", self.module, predicate)]

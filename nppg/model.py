@@ -7,10 +7,13 @@ templates and predicates of the language bias, and what the caller adds, such as
 from __future__ import annotations
 
 import hashlib
+import json
 import os
-import shutil
-from collections.abc import Callable, Mapping, Sequence
+import warnings
+from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 from nppg import __version__
 from nppg.clauses import from_clause
@@ -19,14 +22,23 @@ from nppg.errors import NppgError, Problem, suggestion
 from nppg.language_bias import LanguageBias, Template, TreeLimits
 from nppg.logic import deciding_tests
 from nppg.policy import Policy
-from nppg.prolog import ask
+from nppg.prolog import ask, ground
 from nppg.tree import Rule, from_rules
 
 FORMAT = 1
 
 
 def write(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None:
-    """Writes the model, and a copy of its domain beside it, each under a temporary name first."""
+    """Writes the model, and a copy of its domain beside it. Raises NppgError where there are `conflicts`."""
+    copies = {policy.domain.path.name: policy.domain.source}
+    if problems := conflicts(path.parent, copies, [path.name]):
+        raise NppgError(problems.values())
+    write_copies(path.parent, copies)
+    write_model(policy, path, facts)
+
+
+def write_model(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None:
+    """Writes the model alone."""
     domain, bias = policy.domain, policy.bias
     templates = {each.name for each in (*bias.actions, bias.goal) if each}
     described = [
@@ -46,7 +58,6 @@ def write(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None:
         *facts,
         ("trees", len(policy.trees)),
     ]
-    copy_beside(domain.path, path)
     entries = [[key, value] for key, value in described]
     replacing(
         path,
@@ -56,11 +67,46 @@ def write(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None:
     )
 
 
-def copy_beside(file: Path, path: Path) -> None:
-    """Puts a copy of `file` into the folder of `path`, if it is not there already."""
-    copy = path.parent / file.name
-    if not (copy.exists() and copy.samefile(file)):
-        replacing(copy, lambda temporary: shutil.copyfile(file, temporary))
+def conflicts(folder: Path, copies: Mapping[str, bytes], own: Collection[str]) -> dict[str, Problem]:
+    """Which copies, contents by name, cannot be put into a folder: those whose name is one of the model's `own` files,
+    and those in place of which stands something else that no run of nppg wrote there."""
+    recorded = recorded_hashes(folder)
+    found = {}
+    for name, source in copies.items():
+        path = folder / name
+        present = _contents(path)
+        if name in own:
+            found[name] = Problem(str(path), 0, 0, "a model needs another name than its domain's file")
+        elif present not in (None, source) and _sha256(present or b"") != recorded.get(name):
+            message = "there is another file of this name, which is left as it is: write into another folder"
+            found[name] = Problem(str(path), 0, 0, message)
+    return found
+
+
+def write_copies(folder: Path, copies: Mapping[str, bytes]) -> None:
+    """Writes the copies that are not there yet."""
+    for name, source in copies.items():
+        if _contents(folder / name) != source:
+            replacing(folder / name, partial(Path.write_bytes, data=source))
+
+
+def recorded_hashes(folder: Path) -> dict[str, str]:
+    """SHA-256 of the inputs that the last run into a folder put there, by name."""
+    try:
+        summary = json.loads((folder / "run.json").read_text())
+        return {each["file"]: each["sha256"] for each in (summary["domain"], summary["bias"]) if each}
+    except (OSError, ValueError, KeyError, TypeError):
+        return {}
+
+
+def _contents(path: Path) -> bytes | None:
+    """What stands in a file, nothing where there is none or it cannot be read."""
+    try:
+        return path.read_bytes()
+    except FileNotFoundError:
+        return None
+    except OSError:
+        return b""
 
 
 def replacing(path: Path, write_to: Callable[[Path], object]) -> None:
@@ -81,7 +127,7 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Policy:
     """Reads a model. Its domain is the copy beside it, else the shipped one of that name.
 
     Raises NppgError for what is no model, is cut off, or uses an action or a predicate that it does not declare
-    or its domain does not have.
+    or its domain does not have; warns where the domain is `another_domain`.
     """
     try:
         path.open("rb").close()
@@ -90,7 +136,7 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Policy:
     facts, _, domain_file, clauses = ask("model", str(path))
     known: dict[str, list] = {}
     for key, value in facts:
-        known.setdefault(key, []).append(value)
+        known.setdefault(key, []).append(ground(value))
     if known.get("format") != [FORMAT]:
         raise _wrong(path, 1, f"model(format, {FORMAT}) is missing: written by another version of nppg?")
     if Path(domain_file).name != domain_file:
@@ -98,9 +144,30 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Policy:
     beside = path.parent / domain_file
     domain = Domain(beside if beside.is_file() else Path(domain_file).stem, {**_parameters(path, known), **parameters})
     policy = Policy(domain, _bias(path, known, domain))
+    policy.facts = known
     for rules in _trees(path, clauses, policy.bias, known):
         policy.add(from_rules(rules, lambda query, literals: deciding_tests(query, literals, len(policy.bias.roots))))
+    for problem in another_domain(path, policy):
+        warnings.warn(str(problem), stacklevel=3)
     return policy
+
+
+def another_domain(path: Path, policy: Policy) -> list[Problem]:
+    """The problem that the policy, read from `path`, was learned in another domain file than it has now; else none."""
+    now = policy.domain.hash
+    if policy.facts.get("domain_sha256", [now]) == [now]:
+        return []
+    message = f"{policy.domain.path} is not the file that this model was learned with: its SHA-256 is another"
+    return [Problem(str(path), 0, 0, message)]
+
+
+def option(policy: Policy, name: str, default: Any) -> Any:
+    """The value of an option of the run that a loaded policy comes from, as its model file says."""
+    for fact in policy.facts.get("option", []):
+        match fact:
+            case ("=", str(known), value) if known == name:
+                return value
+    return default
 
 
 def _parameters(path: Path, known: Mapping[str, list]) -> dict[str, int | float | str]:
@@ -163,4 +230,8 @@ def _wrong(path: Path, line: int, message: str) -> NppgError:
 
 def file_hash(path: str | Path) -> str:
     """SHA-256 of a file, in hexadecimal."""
-    return hashlib.sha256(Path(path).read_bytes()).hexdigest()
+    return _sha256(Path(path).read_bytes())
+
+
+def _sha256(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()

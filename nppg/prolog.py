@@ -25,6 +25,7 @@ import janus_swi  # noqa: E402
 _STACK_LIMIT = 256 * 2**20
 
 _interrupted = False
+_undisturbed = 0  # pieces of work that are not to be interrupted
 _generator: np.random.Generator | None = None
 
 
@@ -49,19 +50,24 @@ def ask(question: str, *args: Any) -> Any:
     """The answer to one of the questions of prolog/bridge.pl.
 
     Raises NppgError with file and line where the domain's code is at fault, and KeyboardInterrupt where Ctrl-C was
-    pressed under `interruptible`.
+    pressed under `interruptible`, unless it is held back by `undisturbed`.
     """
     global _interrupted
     try:
         done, value = janus_swi.apply_once("nppg_bridge", "ask", question, list(args))
     except janus_swi.PrologError:
         done, value = janus_swi.apply_once("nppg_bridge", "ask", "aborted", [question])
-    if _interrupted:
+    if _interrupted and not _undisturbed:
         _interrupted = False
         raise KeyboardInterrupt
     if not done:
         raise NppgError(_problem(*each) for each in value)
     return value
+
+
+def ground(data: Any) -> Any:
+    """A ground term as it crosses, compounds as lists, as Python keeps it, compounds as tuples."""
+    return tuple(map(ground, data)) if isinstance(data, list) else data
 
 
 def _problem(file: str, line: int, column: int, message: str, name: str = "", known: Iterable[str] = ()) -> Problem:
@@ -71,7 +77,8 @@ def _problem(file: str, line: int, column: int, message: str, name: str = "", kn
 @contextmanager
 def interruptible() -> Iterator[None]:
     """Lets Ctrl-C end the program only between two questions, never while Prolog runs or calls back, where raising
-    can crash it. Every question ends, because domain code is held to an inference limit."""
+    can crash it; or at the end. Every question ends, because domain code is held to an inference limit."""
+    global _interrupted
 
     def note(*_: object) -> None:
         global _interrupted
@@ -80,13 +87,27 @@ def interruptible() -> Iterator[None]:
     previous = signal.signal(signal.SIGINT, note)
     try:
         yield
+        if _interrupted:
+            raise KeyboardInterrupt
     finally:
         signal.signal(signal.SIGINT, previous)
+        _interrupted = False
+
+
+@contextmanager
+def undisturbed() -> Iterator[None]:
+    """Holds an interrupt back until a piece of work, such as saving, is done; a later question raises it."""
+    global _undisturbed
+    _undisturbed += 1
+    try:
+        yield
+    finally:
+        _undisturbed -= 1
 
 
 def drop_with(owner: object, question: str, *args: Any) -> None:
     """Asks a last question, which frees what Prolog holds for `owner`, once Python has dropped it."""
-    weakref.finalize(owner, ask, question, *args).atexit = False
+    weakref.finalize(owner, undisturbed()(ask), question, *args).atexit = False
 
 
 def _start() -> None:

@@ -26,7 +26,7 @@ Every question is one predicate call(Name, Args..., Answer) below, with terms as
 
 %!  ask(+Name, +Args, -Answer) is det.
 %
-%   Answer is -(1, Value), or -(0, Problems); see report.pl.
+%   Answer is [1, Value], or [0, Problems]; see report.pl.
 
 ask(Name, Args, Answer) :-
     append(Args, [Value], All),
@@ -38,11 +38,11 @@ ask(Name, Args, Answer) :-
     ),
     (   stopped(Fault)
     ->  problems(Fault, Problems),
-        Answer = -(0, Problems)
+        Answer = [0, Problems]
     ;   nonvar(Error)
     ->  problems(Error, Problems),
-        Answer = -(0, Problems)
-    ;   Answer = -(1, Value)
+        Answer = [0, Problems]
+    ;   Answer = [1, Value]
     ).
 
 %!  aborted(+Question, -Nothing): asked after a question that Prolog aborted; throws what was to blame.

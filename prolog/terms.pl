@@ -8,29 +8,34 @@
 
 /** <module> Terms as data for Python
 
-A ground term crosses the bridge as an atom, a number or a tuple -(Name, Args...); the empty list, which is no
-atom and in Python no constant, crosses as -('[]'). A literal of a query
-crosses as a list [Name, Args...] in which an argument is the number of a variable or a list [Constant].
+A ground term is in Python a name, a number or a tuple (name, args...); the empty list, which is no atom and in
+Python no constant, is the tuple ('[]',). A tuple reaches Prolog as -(Name, Args...), but leaves it as a list: every
+tuple that janus 1.5 makes stays in memory for ever. A literal of a query crosses as a list [Name, Args...] in which an
+argument is the number of a variable or a list [Constant].
 */
 
 encode(Term, Data) :-
     (   Term == []
-    ->  Data = -('[]')
+    ->  Data = ['[]']
     ;   atomic(Term)
     ->  Data = Term
     ;   compound_name_arguments(Term, Name, Args),
         maplist(encode, Args, Encoded),
-        Data =.. [-, Name|Encoded]
+        Data = [Name|Encoded]
     ).
 
 decode(Data, Term) :-
     (   atomic(Data)
     ->  Term = Data
-    ;   Data = -('[]')
-    ->  Term = []
-    ;   Data =.. [-, Name|Encoded],
-        maplist(decode, Encoded, Args),
-        compound_name_arguments(Term, Name, Args)
+    ;   (   Data = [Name|Encoded]
+        ->  true
+        ;   Data =.. [-, Name|Encoded]
+        ),
+        (   Name == '[]', Encoded == []
+        ->  Term = []
+        ;   maplist(decode, Encoded, Args),
+            compound_name_arguments(Term, Name, Args)
+        )
     ).
 
 literal([Name|Data], Variables, Literal) :-

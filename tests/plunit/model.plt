@@ -19,7 +19,7 @@ test(names, Text == 'delta(1, move(Block, Block2), 0.5) :- on(Block, Place), ove
 test(fact_text, Text == 'delta(1, _, 0.5).') :-
     rule_text([], (delta(1, _, 0.5) :- true), Text).
 test(there_and_back, [true(Model = [Facts, toy, 'toy.pl', Rules]),
-                      true(Facts-Rules = [[format, 1], [parameter, -(=, n, 3)]]
+                      true(Facts-Rules = [[format, 1], [parameter, [=, n, 3]]]
                            -[ [_, 1, [move, 0], [['A b', 0, 1], [on, 1, [floor]]], 0.5, false], [_, 1, [], [], -1.25, true] ])]) :-
     written(File),
     read_model(File, Model).

@@ -8,9 +8,11 @@ test(there_and_back, [forall(member(Term, [a, '', 'A b', 1, -1, 2.5, f(x), f([1,
     Back == Term.
 test(atom, Data == a) :-
     encode(a, Data).
-test(compound, Data == -(on, a, -(s, 1))) :-
+test(compound, Data == [on, a, [s, 1]]) :-
     encode(on(a, s(1)), Data).
-test(empty_list, Data == -('[]')) :-
+test(from_python, Term == on(a, s([]))) :-
+    decode(-(on, a, -(s, -('[]'))), Term).
+test(empty_list, Data == ['[]']) :-
     encode([], Data).
 test(literal, Literal == on(B, floor)) :-
     literal([on, 1, [floor]], v(_, B), Literal).
