@@ -22,21 +22,24 @@ def main() -> None:
     parser.add_argument("domain")
     parser.add_argument("--seeds", type=int, default=10, help="seeds 0 to N - 1")
     parser.add_argument("--episodes", type=int, default=Options().episodes)
+    parser.add_argument("--step", default=Options().step)
+    parser.add_argument("--beside", type=Path, metavar="CSV", help="curves of other runs, whose mean is drawn too")
     parser.add_argument("--output", type=Path, required=True)
     chosen = parser.parse_args()
     chosen.output.mkdir(parents=True, exist_ok=True)
-    runs = [_learn(chosen.domain, seed, chosen.episodes) for seed in range(chosen.seeds)]
+    runs = [_learn(chosen.domain, Options(chosen.episodes, seed, step=chosen.step)) for seed in range(chosen.seeds)]
     _write_csv(runs, chosen.output / "curves.csv")
     _write_summary(runs, chosen, chosen.output / "README.md")
-    _draw(runs, chosen.output / "curves.png")
+    _draw(runs, chosen.beside, chosen.output / "curves.png")
 
 
-def _learn(name: str, seed: int, episodes: int) -> Progress:
+def _learn(name: str, options: Options) -> Progress:
     domain, bias = Domain(name), LanguageBias.load(locate(name, "language_bias", ".yaml"))
     with tempfile.TemporaryDirectory() as folder:
-        progress = run(domain, bias, Options(seed=seed, episodes=episodes), Path(folder))
+        progress = run(domain, bias, options, Path(folder))
     last = progress.curve[-1]
-    print(f"seed {seed}: {last.success:.6f}, greedy {last.greedy_success:.6f}, {last.trees} trees, {last.seconds} s")
+    success = f"{last.success:.6f}, greedy {last.greedy_success:.6f}"
+    print(f"seed {options.seed}: {success}, {last.trees} trees, {last.seconds} s", flush=True)
     return progress
 
 
@@ -67,8 +70,7 @@ def _write_summary(runs: list[Progress], chosen: argparse.Namespace, path: Path)
     lines = [
         f"# {policy.domain.name}: {len(runs)} runs",
         "",
-        f"`python -m benchmarks.curves {chosen.domain} --seeds {chosen.seeds} --episodes {chosen.episodes} "
-        f"--output {chosen.output}`",
+        f"`{_command(chosen)}`",
         "",
         f"Domain parameters: {policy.domain.parameters}. Options: {_options(runs[0].options)}.",
         f"{policy.bias.tree}.",
@@ -77,6 +79,8 @@ def _write_summary(runs: list[Progress], chosen: argparse.Namespace, path: Path)
         f"Success after {chosen.episodes} episodes, of the stochastic policy: mean {mean(success):.4f}, worst "
         f"{min(success):.4f}; trees on average {mean(point.trees for point in last):.0f}; "
         + ("exact, over all start states." if last[0].exact else "on sampled start states."),
+        "",
+        _first(runs),
         "",
         "![learning curves](curves.png)",
         "",
@@ -87,12 +91,34 @@ def _write_summary(runs: list[Progress], chosen: argparse.Namespace, path: Path)
     path.write_text("\n".join(lines) + "\n")
 
 
+def _first(runs: list[Progress]) -> str:
+    """When 0.99 was reached, and the lowest success from there on."""
+    found = []
+    for each in runs:
+        later = [point for i, point in enumerate(each.curve) if max(p.success for p in each.curve[: i + 1]) >= 0.99]
+        found.append((later[0].episode, min(point.success for point in later)) if later else None)
+    reached = [each for each in found if each]
+    if not reached:
+        return "No run has reached 0.99."
+    return (
+        f"{len(reached)} of {len(runs)} runs have reached 0.99, after {min(reached)[0]} to {max(reached)[0]} episodes; "
+        f"their lowest success from there on is {min(low for _, low in reached):.4f}."
+    )
+
+
+def _command(chosen: argparse.Namespace) -> str:
+    words = [f"python -m benchmarks.curves {chosen.domain} --seeds {chosen.seeds} --episodes {chosen.episodes}"]
+    words += [f"--step {chosen.step}"] if chosen.step != Options().step else []
+    words += [f"--beside {chosen.beside}"] if chosen.beside else []
+    return " ".join([*words, f"--output {chosen.output}"])
+
+
 def _options(options: Options) -> str:
     shown = repr(options).removeprefix("Options(").removesuffix(")").split(", ")
     return ", ".join(each for each in shown if not each.startswith("seed="))
 
 
-def _draw(runs: list[Progress], path: Path) -> None:
+def _draw(runs: list[Progress], beside: Path | None, path: Path) -> None:
     import matplotlib
 
     matplotlib.use("Agg")
@@ -109,12 +135,26 @@ def _draw(runs: list[Progress], path: Path) -> None:
         )
     grid = [sum(values) / len(runs) for values in zip(*(_at_grid(each) for each in runs), strict=True)]
     axes.plot(range(0, 50 * len(grid), 50), grid, color="C0", linewidth=2.5, label=f"mean of {len(runs)} seeds")
+    if beside:
+        others = _means(beside)
+        axes.plot(*zip(*others, strict=True), color="C1", linewidth=2, label=f"mean of the runs in {beside.parent}")
     axes.axhline(0.99, color="grey", linestyle=":", linewidth=1)
     axes.set(xlabel="episodes", ylabel="success of the stochastic policy", ylim=(-0.02, 1.02))
     axes.set_title(title(runs[0].policy.domain))
     axes.grid(alpha=0.3)
     axes.legend(loc="lower right", frameon=False)
     figure.savefig(path, dpi=110)
+
+
+def _means(path: Path) -> list[tuple[int, float]]:
+    """The mean success at every fiftieth episode of the runs in a CSV file of this program."""
+    with path.open() as file:
+        rows = [(int(row["seed"]), int(row["episode"]), float(row["success"])) for row in csv.DictReader(file)]
+    grid = range(0, max(episode for _, episode, _ in rows) + 1, 50)
+    seeds = {seed for seed, _, _ in rows}
+    return [
+        (at, mean(max(row[1:] for row in rows if row[0] == seed and row[1] <= at)[1] for seed in seeds)) for at in grid
+    ]
 
 
 def _at_grid(progress: Progress) -> list[float]:

@@ -1,0 +1,54 @@
+"""Second-order steps under other regularisations, weights and replays, compared by exact success.
+
+python -m benchmarks.second_order --first-seed 10 --seeds 6
+"""
+
+from __future__ import annotations
+
+import argparse
+from statistics import mean
+
+from nppg import Domain, LanguageBias, Options, train
+from nppg.evaluation import ExactEvaluator
+from nppg.shipped import locate
+
+MARKS = (100, 200, 300, 500)
+SETTINGS: list[tuple[str, dict]] = [
+    ("importance 0.5, lambda 0.25 (the defaults)", {}),
+    ("importance 1, lambda 1", {"importance": 1.0, "regularisation": 1.0}),
+    ("importance 0.5, lambda 1", {"regularisation": 1.0}),
+    ("importance 0.5, lambda 0.1", {"regularisation": 0.1}),
+    ("importance 0.75", {"importance": 0.75}),
+    ("importance 0.25", {"importance": 0.25}),
+    ("importance 0", {"importance": 0.0}),
+    ("replay of 100 steps", {"replay": 100}),
+]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--first-seed", type=int, default=0)
+    parser.add_argument("--seeds", type=int, default=10)
+    chosen = parser.parse_args()
+    domain = Domain("blocks_world")
+    bias = LanguageBias.load(locate("blocks_world", "language_bias", ".yaml"))
+    print("| setting | " + " | ".join(f"{mark}" for mark in MARKS) + f" | worst at {MARKS[-1]} |")
+    print("|---" * (len(MARKS) + 2) + "|", flush=True)
+    space = None
+    for name, changes in SETTINGS:
+        rows = []
+        for seed in range(chosen.first_seed, chosen.first_seed + chosen.seeds):
+            row: list[float] = []
+            judge = None
+            for iteration in train(domain, bias, Options(MARKS[-1], seed, step="second-order", **changes)):
+                judge = judge or ExactEvaluator(iteration.policy, space)
+                space = judge.space
+                while len(row) < len(MARKS) and iteration.episodes >= MARKS[len(row)]:
+                    row.append(judge.evaluate().success)
+            rows.append(row)
+        means = " | ".join(f"{mean(column):.3f}" for column in zip(*rows, strict=True))
+        print(f"| {name} | {means} | {min(row[-1] for row in rows):.3f} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
