@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import argparse
 import json
+import signal
 import sys
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, fields, replace
 from pathlib import Path
@@ -46,6 +48,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(error, file=sys.stderr)
         return 2
     except KeyboardInterrupt:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second Ctrl-C is not to change the status
         print("interrupted", file=sys.stderr)
         return 130
     except BrokenPipeError:
@@ -118,6 +121,9 @@ def _parser() -> argparse.ArgumentParser:
     how.add_argument("--exact", action="store_true", help="over all start states")
     how.add_argument("--starts", type=int, default=1000, help="number of sampled starts (default: 1000)")
     evaluate.add_argument("--greedy", action="store_true", help="take the most probable action")
+    evaluate.add_argument(
+        "--horizon-factor", type=float, metavar="FLOAT", help="of the domain's horizon (default: as in training)"
+    )
     evaluate.add_argument("--json", action="store_true", help="print one JSON object")
     for each in (evaluate, play):
         each.add_argument("--seed", type=int, default=0)
@@ -213,9 +219,9 @@ def _train(options: argparse.Namespace) -> int:
     until = options.until_success
     if until is not None and not (0 <= until <= 1 and options.evaluate_every):
         raise NppgError("until-success must be from 0 to 1, and needs points of the curve (evaluate-every)")
-    run(domain, bias, chosen, output, options.evaluate_every, options.starts, report, until)
+    progress = run(domain, bias, chosen, output, options.evaluate_every, options.starts, report, until)
     if not options.quiet:
-        print(f"written to {output}/: " + ", ".join(sorted(each.name for each in output.glob("[!.]*"))))
+        print(f"written to {output}/: {', '.join(progress.written)}")
     return 0
 
 
@@ -250,17 +256,26 @@ def _reporter(options: Options) -> Callable[[Progress], None]:
 def _load(options: argparse.Namespace) -> Policy:
     from nppg.policy import Policy
 
-    return Policy.load(options.model, _parameters(getattr(options, "set", [])))
+    with warnings.catch_warnings(record=True) as noted:
+        warnings.simplefilter("always")
+        policy = Policy.load(options.model, _parameters(getattr(options, "set", [])))
+    if options.command != "prove":  # which refuses instead
+        for each in noted:
+            print(f"warning: {each.message}", file=sys.stderr)
+    return policy
 
 
 def _evaluate(options: argparse.Namespace) -> int:
     from nppg.evaluation import evaluate, evaluate_exactly
+    from nppg.model import option
 
     policy = _load(options)
+    given = options.horizon_factor
+    factor = Options(horizon_factor=option(policy, "horizon_factor", 1.0) if given is None else given).horizon_factor
     if options.exact:
-        result = evaluate_exactly(policy, options.greedy)
+        result = evaluate_exactly(policy, options.greedy, factor)
     else:
-        result = evaluate(policy, options.starts, options.seed, options.greedy)
+        result = evaluate(policy, options.starts, options.seed, options.greedy, factor)
     if options.json:
         print(json.dumps(asdict(result)))
     else:
@@ -308,6 +323,8 @@ def _distill(options: argparse.Namespace) -> int:
 
     at_least("max-rules", options.max_rules, 1)
     policy = _load(options)
+    if not options.bias and "bias" not in policy.facts:
+        raise NppgError([Problem(str(options.model), 0, 0, "the model names no language bias; give one by --bias")])
     bias = LanguageBias.load(locate(options.bias or policy.bias.file, "language_bias", ".yaml"))
     rules = distill(policy, bias, options.max_rules)
     exact = policy.domain.uniform_start and policy.domain.has_goal

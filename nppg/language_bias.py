@@ -7,11 +7,12 @@ stays a name and does not become True, and its line and column, so that every mi
 
 from __future__ import annotations
 
+import hashlib
 import math
 import re
 import sys
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from itertools import accumulate
 from pathlib import Path
 from typing import NamedTuple, TypeVar
@@ -108,6 +109,12 @@ class LanguageBias:
     max_lookahead: int  # of any mode
     max_variables: int  # existential variables in one query
     tree: TreeLimits
+    source: bytes = field(default=b"", compare=False, repr=False)  # the file's contents; none for a bias without one
+
+    @property
+    def hash(self) -> str:
+        """SHA-256 of the file as it was loaded, in hexadecimal."""
+        return hashlib.sha256(self.source).hexdigest()
 
     @property
     def roots(self) -> tuple[str, ...]:
@@ -127,7 +134,8 @@ class LanguageBias:
     @classmethod
     def load(cls, path: str | Path) -> LanguageBias:
         """Reads a bias file. Raises NppgError with all its mistakes, located and in file order."""
-        return _Reader(str(path), _read(path)).bias()
+        data = _read(path)
+        return replace(_Reader(str(path), _text(path, data)).bias(), source=data)
 
     def check(self, predicates: Collection[tuple[str, int]], actions: Collection[tuple[str, int]]) -> list[Problem]:
         """What the bias names and the domain does not have; `predicates` and `actions` are pairs of name and arity.
@@ -320,12 +328,15 @@ class _Parser:
 # ---------------------------------------------------------------- the file
 
 
-def _read(path: str | Path) -> str:
+def _read(path: str | Path) -> bytes:
     try:
-        data = Path(path).read_bytes()
+        return Path(path).read_bytes()
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise NppgError([Problem(str(path), 0, 0, f"cannot be read: {reason}")]) from None
+
+
+def _text(path: str | Path, data: bytes) -> str:
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

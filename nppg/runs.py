@@ -5,8 +5,9 @@ from __future__ import annotations
 import csv
 import json
 import platform
+import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 
@@ -17,13 +18,14 @@ from nppg.domain import Domain
 from nppg.errors import NppgError, Problem
 from nppg.evaluation import Evaluation, ExactEvaluator, evaluate
 from nppg.language_bias import LanguageBias
-from nppg.model import copy_beside, file_hash, replacing
+from nppg.model import conflicts, recorded_hashes, replacing, write_copies, write_model
 from nppg.options import Options
 from nppg.policy import Policy
-from nppg.prolog import ask
+from nppg.prolog import ask, undisturbed
 from nppg.space import Space
 from nppg.training import Iteration, train
 
+_FILES = ("model.pl", "run.json", "curve.csv", "curve.png")
 _CLASSES = 20_000  # state spaces up to this size are evaluated exactly between the trees
 _RECENT = 100  # episodes that `recent` is the mean of
 
@@ -49,12 +51,14 @@ class Progress:
 
     policy: Policy
     options: Options
+    judging: Mapping[str, int | float | None] = field(default_factory=dict)  # run's arguments about the curve
     episodes: int = 0
     seconds: float = 0.0
     outcomes: list[bool] = field(default_factory=list)
     curve: list[Point] = field(default_factory=list)
     point: Point | None = None
     ended: bool = False
+    written: list[str] = field(default_factory=list)  # names of the files, at the end
 
     @property
     def recent(self) -> float:
@@ -78,18 +82,21 @@ def run(
     few classes of states, else on `starts` sampled starts. With `until_success` the run ends at the first such point
     where the stochastic policy reaches it. On KeyboardInterrupt the files are written for what has
     been learned, then it is raised again; after a mistake of the domain they are written as far as there was
-    none before, so that nothing is lost and nothing overwritten.
+    none before, so that nothing is lost and nothing overwritten. Raises NppgError, before it starts, where a file
+    that no run wrote stands in the way of a copy of the domain or the bias.
     """
     problems = bias.check(domain.predicates, domain.actions)
+    problems += conflicts(output, _copies(domain, bias), _FILES).values()
     if problems:
         raise NppgError(problems)
     _make_folder(output)
+    judging = {"evaluate_every": evaluate_every, "starts": starts, "until_success": until_success}
     progress: Progress | None = None
     try:
         clock = time.perf_counter()
         judge: Callable[[Policy], tuple[Evaluation, Evaluation]] | None = None
         for iteration in train(domain, bias, options):
-            progress = progress or Progress(iteration.policy, options)
+            progress = progress or Progress(iteration.policy, options, judging)
             _advance(progress, iteration, time.perf_counter() - clock)
             if _is_due(progress, iteration, evaluate_every):
                 judge = judge or _judge(iteration.policy, starts, options)
@@ -108,16 +115,14 @@ def run(
             write_files(progress, bias, output)
         raise
     assert progress is not None
-    write_files(progress, bias, output)
+    progress.written = write_files(progress, bias, output)
     return progress
 
 
 def _make_folder(output: Path) -> None:
     try:
         output.mkdir(parents=True, exist_ok=True)
-        probe = output / ".nppg"
-        probe.touch()
-        probe.unlink()
+        tempfile.TemporaryFile(dir=output).close()
     except OSError as error:
         raise NppgError([Problem(str(output), 0, 0, f"the folder cannot be written to: {error.strerror}")]) from None
 
@@ -164,37 +169,57 @@ def _point(progress: Progress, stochastic: Evaluation, greedy: Evaluation) -> Po
     )
 
 
-def write_files(progress: Progress, bias: LanguageBias, output: Path) -> None:
-    """Writes all files of a run, each under a temporary name first."""
+def _copies(domain: Domain, bias: LanguageBias) -> dict[str, bytes]:
+    """The contents of the input files, by name; a bias made in Python has none."""
+    copies = {domain.path.name: domain.source}
+    return copies | {Path(bias.file).name: bias.source} if bias.source else copies
+
+
+@undisturbed()
+def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[str]:
+    """Writes all files of a run, each under a temporary name first, and removes the curve of an earlier one. Returns
+    their names. Raises NppgError at the end where a file has come into the way of a copy since the run began."""
     policy, options = progress.policy, progress.options
     domain = policy.domain
+    rerun = bool(recorded_hashes(output))
+    copies = _copies(domain, bias)
+    problems = conflicts(output, copies, _FILES)
+    copies = {name: source for name, source in copies.items() if name not in problems}
+    until = progress.judging.get("until_success") is not None
     facts = [
-        ("bias", Path(bias.file).name),
-        ("bias_sha256", file_hash(bias.file)),
+        *([("bias", Path(bias.file).name), ("bias_sha256", bias.hash)] if bias.source else []),
         *(("option", ("=", name, value)) for name, value in asdict(options).items()),
         *(("tree", ("=", name, value)) for name, value in asdict(bias.tree).items()),
+        *(("curve", ("=", name, value)) for name, value in progress.judging.items() if until),
         ("trained_episodes", progress.episodes),
     ]
-    policy.save(output / "model.pl", facts)
-    copy_beside(Path(bias.file), output / "model.pl")
+    write_copies(output, copies)
+    write_model(policy, output / "model.pl", facts)
     summary = {
         "nppg": __version__,
         "prolog": ask("version"),
         "python": platform.python_version(),
         "numpy": np.__version__,
         "domain": {"file": domain.path.name, "sha256": domain.hash, "parameters": domain.parameters},
-        "bias": {"file": Path(bias.file).name, "sha256": file_hash(bias.file)},
+        "bias": {"file": Path(bias.file).name, "sha256": bias.hash} if bias.source else None,
         "options": asdict(options),
         "tree": asdict(bias.tree),
+        "curve": dict(progress.judging),
         "episodes": progress.episodes,
         "trees": len(policy.trees),
         "seconds": round(progress.seconds, 3),
         "last": asdict(progress.curve[-1]) if progress.curve else None,
     }
     replacing(output / "run.json", lambda path: path.write_text(json.dumps(summary, indent=2) + "\n"))
+    written = [*copies, "model.pl", "run.json"]
     if progress.curve:
         replacing(output / "curve.csv", lambda path: _write_curve(path, progress.curve))
-        _draw(progress, output / "curve.png")
+        written += ["curve.csv", "curve.png"] if _draw(progress, output / "curve.png") else ["curve.csv"]
+    for name in set(_FILES) - set(written) if rerun else ():
+        (output / name).unlink(missing_ok=True)
+    if problems:
+        raise NppgError(problems.values())
+    return sorted(written)
 
 
 def _write_curve(path: Path, curve: list[Point]) -> None:
@@ -204,11 +229,12 @@ def _write_curve(path: Path, curve: list[Point]) -> None:
         writer.writerows([getattr(point, each.name) for each in fields(Point)] for point in curve)
 
 
-def _draw(progress: Progress, path: Path) -> None:
+def _draw(progress: Progress, path: Path) -> bool:
+    """Whether matplotlib is there to draw the curve."""
     try:
         import matplotlib
     except ImportError:
-        return
+        return False
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
@@ -223,6 +249,7 @@ def _draw(progress: Progress, path: Path) -> None:
     axes.legend(loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
     replacing(path, lambda temporary: figure.savefig(temporary, format="png", dpi=120))
     pyplot.close(figure)
+    return True
 
 
 def _title(progress: Progress) -> str:

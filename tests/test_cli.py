@@ -124,6 +124,8 @@ def test_an_interrupted_run_keeps_what_it_has_learned(tmp_path: Path) -> None:
     process = start(tmp_path, stderr=subprocess.PIPE, text=True)
     time.sleep(4)
     process.send_signal(signal.SIGINT)
+    time.sleep(0.06)
+    process.send_signal(signal.SIGINT)  # saved without a curve, it is about to exit
     _, errors = process.communicate(timeout=30)
     assert process.returncode == 130 and errors == "interrupted\n"
     assert json.loads((tmp_path / "run.json").read_text())["trees"] > 0
