@@ -18,8 +18,8 @@ from nppg.space import Space
 
 @dataclass(frozen=True, slots=True)
 class Evaluation:
-    """`success`: share of episodes that reach a goal state within the domain's horizon, 0 to 1. `mean_steps`
-    and `mean_return` (undiscounted, sampled only) are per episode; `starts` is their number."""
+    """`success`: share of episodes that reach a goal state within `horizon_factor` times the domain's horizon, 0 to 1.
+    `mean_steps` and `mean_return` (undiscounted, sampled only) are per episode; `starts` is their number."""
 
     success: float
     starts: int
@@ -68,12 +68,13 @@ class ExactEvaluator:
     def potentials(self) -> np.ndarray:
         """Psi of each pair of the space."""
         space, table = self.space, self.policy.table
-        named = {arg for test in table.tests for literal in test for arg in literal.args} & space.free
+        named = {arg for test in table.tests for literal in test for arg in literal.args} & space.objects
         if named:
             raise NppgError(f"the policy names {sorted(named)}, which the domain declares interchangeable")
         if len(self._row) == 0 or self._answers.shape[1] != len(table):
             rows = [table.answers(*pairs) for pairs in zip(space.states, space.actions, strict=True) if pairs[1]]
-            distinct, self._row = np.unique(np.packbits(np.concatenate(rows), axis=1), axis=0, return_inverse=True)
+            distinct, row = np.unique(np.packbits(np.concatenate(rows), axis=1), axis=0, return_inverse=True)
+            self._row = row.reshape(-1)  # NumPy 2.0 gives a column
             self._answers = np.unpackbits(distinct, axis=1, count=len(table)).astype(bool)
         return self.policy.potentials_of(self._answers)[self._row]
 
@@ -103,6 +104,22 @@ class ExactEvaluator:
             length = space.running + np.bincount(source, flow * length[space.target], len(goal))
             success[limits == t], steps[limits == t] = value[limits == t], length[limits == t]
         return success * space.running, steps * space.running
+
+    def certain(self, greedy: bool = False) -> np.ndarray:
+        """From which start classes no possible course misses the goal; without probabilities, so nothing is rounded.
+        The stochastic policy can take every legal action."""
+        space = self.space
+        taken = self.probabilities(True) > 0 if greedy else np.ones(len(space.owner), bool)
+        possible = taken[space.origin]
+        source, target = space.owner[space.origin][possible], space.target[possible]
+        goal = np.array([status == "goal" for status in space.status])
+        limits = np.array(space.horizons)
+        sure, found = goal, np.zeros(len(goal), bool)
+        for t in range(1, limits.max() + 1):
+            missing = np.bincount(source, ~sure[target], len(goal)) > 0
+            sure = goal | space.running & ~missing
+            found |= sure & (limits == t)
+        return found & space.running
 
     def evaluate(self, greedy: bool = False, horizon_factor: float = 1.0) -> Evaluation:
         """The mean over all start states."""

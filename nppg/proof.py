@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -11,10 +12,8 @@ import numpy as np
 from nppg import __version__
 from nppg.errors import NppgError, Problem
 from nppg.evaluation import ExactEvaluator
-from nppg.model import file_hash, replacing
+from nppg.model import another_domain, file_hash, replacing
 from nppg.policy import Policy
-
-_SURE = 1 - 1e-9  # a success probability from here on counts as 1: the rest is rounding
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +30,7 @@ class Failure:
 @dataclass(frozen=True, slots=True)
 class Proof:
     """`success` is the share of all `starts` start states, times the probability to succeed there; `failures` are the
-    classes with a probability below 1, the likeliest failure first."""
+    classes from which the goal can be missed, the likeliest failure first."""
 
     nppg: str
     model_sha256: str
@@ -46,7 +45,7 @@ class Proof:
 
     @property
     def complete(self) -> bool:
-        """Whether the policy succeeds from every start state."""
+        """Whether the policy succeeds for certain from every start state."""
         return not self.failures
 
     def save(self, path: Path) -> None:
@@ -55,11 +54,14 @@ class Proof:
 
 
 def prove(policy: Policy, model: Path, greedy: bool = True) -> Proof:
-    """Goes through every class of states. Raises NppgError as nppg.evaluation.ExactEvaluator does."""
+    """Goes through every class of states. Raises NppgError where the domain is not the one that the model was made
+    with, and as nppg.evaluation.ExactEvaluator does."""
+    if problems := another_domain(model, policy):
+        raise NppgError(problems)
     judge = ExactEvaluator(policy)
     space = judge.space
     success, _ = judge.by_class(greedy)
-    failing = np.flatnonzero(space.running & (success < _SURE))
+    failing = np.flatnonzero(space.running & ~judge.certain(greedy))
     return Proof(
         __version__,
         file_hash(model),
@@ -77,17 +79,31 @@ def prove(policy: Policy, model: Path, greedy: bool = True) -> Proof:
     )
 
 
-def check_certificate(certificate: Path, policy: Policy, model: Path) -> dict:
-    """The contents of a certificate, if it is about this model and its domain as they are now. Raises NppgError."""
+def check_certificate(certificate: Path, proof: Proof) -> None:
+    """Raises NppgError where a certificate says anything else than this proof of the policy as it is now."""
     try:
-        contents: dict = json.loads(certificate.read_text())
-        claimed = {name: contents[f"{name}_sha256"] for name in ("model", "domain")}
+        claimed = json.loads(certificate.read_text())
     except OSError as error:
         raise NppgError([Problem(str(certificate), 0, 0, f"cannot be read: {error.strerror}")]) from None
-    except (ValueError, KeyError, TypeError):
-        raise NppgError([Problem(str(certificate), 0, 0, "this is no certificate of nppg")]) from None
-    for name, actual in (("model", file_hash(model)), ("domain", policy.domain.hash)):
-        if claimed[name] != actual:
-            message = f"the certificate is about another {name}: it has changed since, or was never this one"
-            raise NppgError([Problem(str(certificate), 0, 0, message)])
-    return contents
+    except ValueError:
+        claimed = None
+    if not isinstance(claimed, dict) or "model_sha256" not in claimed:
+        raise NppgError([Problem(str(certificate), 0, 0, "this is no certificate of nppg")])
+    proved = json.loads(json.dumps(asdict(proof)))
+    wrong = [name for name in (proved | claimed) if not _agree(claimed.get(name), proved.get(name))]
+    if wrong:
+        names = ", ".join(name.removesuffix("_sha256") for name in wrong)
+        message = f"the certificate says something else than the proof of this policy about: {names}"
+        raise NppgError([Problem(str(certificate), 0, 0, message)])
+
+
+def _agree(one: object, other: object) -> bool:
+    """Whether two contents of JSON are the same, but for rounding."""
+    match one, other:
+        case float(), float():
+            return math.isclose(one, other, rel_tol=1e-9, abs_tol=1e-9)
+        case list(), list():
+            return len(one) == len(other) and all(map(_agree, one, other))
+        case dict(), dict():
+            return one.keys() == other.keys() and all(_agree(one[name], other[name]) for name in one)
+    return type(one) is type(other) and one == other

@@ -193,6 +193,100 @@ def test_what_has_no_exact_space_is_refused(delivery: Domain, blocks: Domain) ->
         Space(blocks, 100)
 
 
+def test_drawn_goal_states_are_refused(tmp_path) -> None:
+    (tmp_path / "lamps.pl").write_text(LAMPS.replace(", \\+ all(Facts), !", ", !"))
+    with pytest.raises(NppgError, match="start/1 draws goal states, for instance"):
+        Space(Domain(tmp_path / "lamps.pl"))
+
+
+def test_a_space_without_running_starts_is_refused(tmp_path) -> None:
+    (tmp_path / "lamps.pl").write_text(LAMPS + "terminal.\n")
+    with pytest.raises(NppgError, match="start/1 draws terminal states, for instance"):
+        Space(Domain(tmp_path / "lamps.pl"))
+
+
+def test_states_that_are_never_drawn_are_refused(tmp_path, delivery: Domain) -> None:
+    text = delivery.path.read_text().replace("    in(Parcel, Place),", "    ( in(Parcel, Place) -> true ; at(Place) ),")
+    text += """
+:- uniform_start.
+:- interchangeable room/1.
+:- interchangeable parcel/1.
+room(Room) :- rooms(Rooms), member(Room, Rooms).
+parcel(Parcel) :- parcels(Parcels), member(Parcel, Parcels).
+"""
+    (tmp_path / "delivery.pl").write_text(text)
+    with pytest.raises(NppgError, match=r"start/1 never draws a state with a fact of holding/1, which \d+% of"):
+        Space(Domain(tmp_path / "delivery.pl"))
+    several, one = "findall(lit(I), ( lamp(I), random(R), R < 0.5 ), Facts)", "lamp(I), Facts = [lit(I)]"
+    assert several in LAMPS
+    (tmp_path / "lamps.pl").write_text(LAMPS.replace(several, one))
+    with pytest.raises(NppgError, match=r"start/1 never draws a state with the horizon \d, which \d+% of"):
+        Space(Domain(tmp_path / "lamps.pl"))
+
+
+ROOMS = """
+:- module(rooms, []).
+:- fluent at/1, fuel/1, wanted/1.
+:- uniform_start.
+:- interchangeable room/1.
+room(R) :- between(1, 3, R).
+start([at(At), fuel(Fuel), wanted(Wanted)]) :-
+    random_between(1, 3, At), random_between(LOW, 3, Fuel), random_between(1, 3, Wanted), At =\\= Wanted, !.
+start(Facts) :- start(Facts).
+goal :- at(R), wanted(R).
+terminal :- fuel(0).
+action(go(R)) :- room(R), \\+ at(R), fuel(F), F > 0.
+action(fill) :- fuel(F), F < 3.
+effect(go(R), [at(Old), fuel(F)], [at(R), fuel(Less)]) :- at(Old), fuel(F), Less is F - 1.
+effect(fill, [fuel(F)], [fuel(3)]) :- fuel(F).
+horizon(HORIZON) :- fuel(F), F > 0.
+"""
+
+
+@pytest.mark.parametrize("low", [1, 3])
+@pytest.mark.parametrize("horizon", ["F", "100"])
+def test_objects_that_are_not_alike_are_refused(tmp_path, low: int, horizon: str) -> None:
+    """The fuel is taken for a room where rooms are numbers, and not where they have names."""
+    text = ROOMS.replace("LOW", str(low)).replace("HORIZON", horizon)
+    (tmp_path / "rooms.pl").write_text(text)
+    with pytest.raises(NppgError, match="room are not interchangeable"):
+        Space(Domain(tmp_path / "rooms.pl"))
+    text = text.replace("room(R) :- between(1, 3, R).", "room(R) :- member(R, [a, b, c]).")
+    text = text.replace("random_between(1, 3, At)", "random_member(At, [a, b, c])").replace("=\\=", "\\==")
+    text = text.replace("random_between(1, 3, Wanted)", "random_member(Wanted, [a, b, c])")
+    (tmp_path / "named.pl").write_text(text)
+    if low == 1:
+        assert Space(Domain(tmp_path / "named.pl")).starts == 2 * 3
+
+
+KINDS = """
+:- module(kinds, []).
+:- fluent marked/1.
+:- uniform_start.
+:- interchangeable room/1.
+:- interchangeable parcel/1.
+room(r1). room(r2).
+parcel(p1). parcel(p2). parcel(p3).
+thing(X) :- room(X) ; parcel(X).
+start(Facts) :-
+    findall(marked(X), ( thing(X), random(R), R < 0.5 ), Facts),
+    \\+ ( memberchk(marked(r1), Facts), memberchk(marked(r2), Facts) ), !.
+start(Facts) :- start(Facts).
+goal :- marked(r1), marked(r2).
+action(mark(X)) :- thing(X), \\+ marked(X).
+action(clear(X)) :- marked(X).
+effect(mark(X), [], [marked(X)]).
+effect(clear(X), [marked(X)], []).
+"""
+
+
+def test_objects_of_two_kinds_are_not_exchanged(tmp_path) -> None:
+    """Of 2 ** 5 states, those with both rooms marked are goal states."""
+    (tmp_path / "kinds.pl").write_text(KINDS)
+    space = Space(Domain(tmp_path / "kinds.pl"))
+    assert (len(space.states), space.starts, total(space, "goal")) == (3 * 4, 24, 8)
+
+
 def test_every_visited_state_is_in_the_space(four_blocks: Domain) -> None:
     space, canonizer = Space(four_blocks), Canonizer([f"b{i}" for i in range(1, 5)])
     known = {canonizer.form(state)[0] for state in space.states}

@@ -110,6 +110,28 @@ def test_an_evaluator_sees_the_trees_that_are_added(four_blocks: Domain, plain_b
     assert len(set(values)) == 4
 
 
+@pytest.mark.parametrize("block", ["b1", "b2", "b3", "b4"])
+def test_a_policy_that_names_an_interchangeable_object_is_refused(tmp_path, four_blocks, plain_bias, block) -> None:
+    """Also where the block is one of the goal's that was drawn first."""
+    Policy(four_blocks, plain_bias).save(tmp_path / "model.pl")
+    text = (tmp_path / "model.pl").read_text().replace("model(trees, 0)", "model(trees, 1)")
+    (tmp_path / "model.pl").write_text(f"{text}\ndelta(1, move({block}, _), 5.0) :- !.\ndelta(1, _, 0.0).\n")
+    with pytest.raises(NppgError, match=f"names \\['{block}'\\], which the domain declares interchangeable"):
+        evaluate_exactly(Policy.load(tmp_path / "model.pl"))
+
+
+def test_the_shape_of_the_inverse_does_not_matter(policy: Policy, monkeypatch) -> None:
+    """NumPy 2.0 gives that of np.unique along an axis as a column."""
+    expected, unique = evaluate_exactly(policy), np.unique
+
+    def column(*args, **options):
+        distinct, inverse = unique(*args, **options)
+        return distinct, inverse.reshape(-1, 1)
+
+    monkeypatch.setattr(np, "unique", column)
+    assert evaluate_exactly(policy) == expected
+
+
 def test_samples_are_reproduced_by_their_seed(policy: Policy) -> None:
     assert evaluate(policy, 50, seed=3) == evaluate(policy, 50, seed=3)
     assert len({evaluate(policy, 50, seed=seed) for seed in range(4)}) == 4
