@@ -331,7 +331,7 @@ def _distill(options: argparse.Namespace) -> int:
     bias = LanguageBias.load(locate(options.bias or policy.bias.file, "language_bias", ".yaml"))
     rules = distill(policy, bias, options.max_rules)
     exact = policy.domain.uniform_start and policy.domain.has_goal
-    result = evaluate_exactly(rules, greedy=True) if exact else evaluate(rules, greedy=True)
+    result = evaluate_exactly(rules, greedy=True) if exact else evaluate(rules, seed=1, greedy=True)
     output = options.output or options.model.with_name("rules.pl")
     rules.save(output, [("success", result.success), ("starts", result.starts), ("exact", int(result.exact))])
     print(*rules.rules(1), sep="\n")

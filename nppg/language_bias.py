@@ -24,6 +24,7 @@ from nppg.logic import Constant
 
 KEYS = ("action", "goal", "subtypes", "types", "modes", "lookahead", "max_variables", "tree")
 REQUIRED = ("action", "types", "modes")
+RESERVED = ("delta", 3)
 MODE_KEYS = ("literal", "lookahead")
 EQUALITY = ("equal", "=")  # its name in a file, and in Prolog
 
@@ -153,7 +154,10 @@ class LanguageBias:
         if self.goal:
             look_up("predicate", self.goal, len(self.goal.types), predicates)
         for mode in self.modes:
-            if mode.name != "=":
+            if (mode.name, len(mode.args)) == RESERVED:
+                message = "delta/3 is what the rules of a model are called; give the predicate another name"
+                problems.append(Problem(self.file, mode.line, mode.column, message))
+            elif mode.name != "=":
                 look_up("predicate", mode, len(mode.args), predicates)
         return sorted(problems)
 
