@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 
@@ -24,7 +25,7 @@ from nppg.refinement import Refiner
 from nppg.tilde import grow
 from nppg.tree import Rule, Tree, from_rules, rules
 
-_GOOD = 0.3  # an action counts as preferred from this share of the best one's probability on
+_GOOD = (0.3, 1 - 1e-9)  # an action counts as preferred from this share of the best one's probability on
 _DEPTHS = range(1, 9)
 _EPISODES = 300
 _STEP = 10.0  # between two values of the rules
@@ -33,22 +34,25 @@ _STEP = 10.0  # between two values of the rules
 def distill(policy: Policy, bias: LanguageBias, max_rules: int = 10) -> Policy:
     """A policy of one tree with at most `max_rules` rules; `bias` says what they may test.
 
-    The tree is the shallowest whose greedy success is that of `policy`, or the deepest tried. Where its pruned rules
-    are too many, those whose loss costs least go too.
+    The tree is the shallowest whose greedy success is that of `policy`, or the best one tried: first of all actions
+    that the policy likes, then, should that not do, of its very best ones alone. Where its pruned rules are too many,
+    those whose loss costs least go too.
     """
     refiner = Refiner(bias)
     table = root_table(policy.domain, bias, refiner)
     judge = _Judge(policy, table, bias)
-    states, actions, targets = judge.preferences()
+    states, actions, shares = judge.preferences()
     coverage = Coverage(table, states, actions)
     wanted = judge.success(policy)
-    found: list[Rule] = []
-    for depth in _DEPTHS:
-        tree = grow(targets, coverage, refiner, TreeLimits(max_depth=depth, min_examples=1))
-        found = list(rules(tree))
-        if judge.rules_success(found) >= wanted:
+    found: list[list[Rule]] = []
+    for good, depth in product(_GOOD, _DEPTHS):
+        if len(table) > coverage.bits.shape[1]:  # a judged tree has brought tests of its own
+            coverage = Coverage(table, states, actions)
+        targets = (shares >= good).astype(float)
+        found.append(list(rules(grow(targets, coverage, refiner, TreeLimits(max_depth=depth, min_examples=1)))))
+        if judge.rules_success(found[-1]) >= wanted:
             break
-    pruned = _pruned(found, refiner, judge.rules_success)
+    pruned = _pruned(max(found, key=judge.rules_success), refiner, judge.rules_success)
     while len(pruned) > max(max_rules, 1):
         pruned = _pruned(max(_without_rule(pruned), key=judge.rules_success), refiner, judge.rules_success)
     return judge.policy(_levelled(pruned, judge.rules_success))
@@ -67,15 +71,15 @@ class _Judge:
         self._known: dict[tuple[Rule, ...], float] = {}
 
     def preferences(self) -> tuple[list[State], list[Action], np.ndarray]:
-        """States with their actions, and 1 for each action that the policy prefers, 0 for the others."""
+        """States with their actions, and the probability of each action as a share of the best one's."""
         states: list[State] = []
         actions: list[Action] = []
-        targets: list[np.ndarray] = []
+        shares: list[np.ndarray] = []
         for state, legal, probabilities in self._met():
             states += [state] * len(legal)
             actions += legal
-            targets.append((probabilities >= _GOOD * probabilities.max()).astype(float))
-        return states, actions, np.concatenate(targets)
+            shares.append(probabilities / probabilities.max())
+        return states, actions, np.concatenate(shares)
 
     def _met(self) -> Iterator[tuple[State, list[Action], np.ndarray]]:
         if self.exact:

@@ -85,7 +85,7 @@ def check_certificate(certificate: Path, proof: Proof) -> None:
         claimed = json.loads(certificate.read_text())
     except OSError as error:
         raise NppgError([Problem(str(certificate), 0, 0, f"cannot be read: {error.strerror}")]) from None
-    except ValueError:
+    except (ValueError, RecursionError):
         claimed = None
     if not isinstance(claimed, dict) or "model_sha256" not in claimed:
         raise NppgError([Problem(str(certificate), 0, 0, "this is no certificate of nppg")])

@@ -125,19 +125,18 @@ def _best_gain(
     """The candidate of the largest s1^2 / w1 + s0^2 / w0 - s^2 / w, and that gain. The sums s of the values and w of
     the weights run down the columns in a fixed order, so that the outcome does not depend on the machine's linear
     algebra; `whole` is the weight of the undivided node, and `regularisation` is added to each weight."""
-    allowed = (counts >= least) & (len(values) - counts >= least)
-    if not allowed.any():
-        return None
     s1 = (covered * values[:, None]).sum(axis=0)
     total = values.sum()
     w1, w0 = weights + regularisation, whole - weights + regularisation
-    allowed &= (w1 > 0) & (w0 > 0)
+    allowed = (counts >= least) & (len(values) - counts >= least) & (w1 > 0) & (w0 > 0)
+    if not allowed.any():
+        return None
     gain = s1**2 / np.where(allowed, w1, 1) + (total - s1) ** 2 / np.where(allowed, w0, 1)
     gain -= total**2 / (whole + regularisation)
     gain[~allowed] = -np.inf
     top = gain.max()
     best = int(np.argmax(gain >= top - _TIE * abs(top)))
-    return (best, float(gain[best])) if allowed[best] else None
+    return best, float(gain[best])
 
 
 def _variance(values: np.ndarray) -> float:
