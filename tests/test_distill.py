@@ -24,6 +24,7 @@ from nppg.logic import deciding_tests
 from nppg.options import Options
 from nppg.policy import Policy
 from nppg.refinement import KIND, Refiner
+from nppg.tilde import grow
 from nppg.training import train
 from nppg.tree import Rule, from_rules, rules
 
@@ -43,8 +44,7 @@ action: move(+block, +place)
 goal: goal_on(-block, -block)
 subtypes: {block: place}
 types: {clear: [place], on: [place, place], above: [place, place]}
-modes:
-  [clear(+), "on(+, +-)", "on(-, +)", "above(+, +)", "above(-, +)", "equal(+place, +place)", "equal(+place, floor)"]
+modes: ["on(+, +-)", "on(-, +)", clear(+), "above(+-, +)", "equal(+place, +place)", "equal(+place, floor)"]
 max_variables: 2
 tree: {max_depth: 4, min_examples: 1}
 """
@@ -132,6 +132,9 @@ def test_pruning_never_loses_success(four_blocks: Domain, plain_bias) -> None:
         pruned = nppg.distill._pruned(ordered, refiner, lists.success)
         after = lists.success(pruned)
         assert after >= before and all(lists.success(each) < after for each in shorter(pruned, refiner))
+        levelled = nppg.distill._levelled(pruned, lists.success)
+        assert lists.success(levelled) >= after and [r.query for r in levelled] == [r.query for r in pruned]
+        assert {rule.value for rule in levelled} <= {10.0 * i for i in range(len({rule.value for rule in pruned}))}
         dropped += sum(len(rule.query) + 1 for rule in ordered) - sum(len(rule.query) + 1 for rule in pruned)
         gained += after > before
     assert dropped > 20 and gained
@@ -145,6 +148,24 @@ def test_no_more_rules_than_wanted(four_blocks: Domain, plain_bias) -> None:
         assert len(list_of(distilled)) <= most < len(list_of(distill(policy, plain_bias)))
         found.append(evaluate_exactly(distilled, greedy=True).success)
     assert found[1] == pytest.approx(found[0]) and 1 > found[3] >= found[2] > 2 * found[1]
+
+
+def test_trees_are_grown_from_answers_to_all_tests_so_far(
+    four_blocks: Domain, bias_of, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Judging a tree can bring new ones."""
+    widths = []
+
+    def grown(targets, coverage, *rest):
+        widths.append(len(coverage.table))
+        assert coverage.bits.shape == (len(targets), len(coverage.table))
+        return grow(targets, coverage, *rest)
+
+    monkeypatch.setattr(nppg.distill, "grow", grown)
+    bias = bias_of(JOINS)
+    for seed in range(3):
+        distill(learned(four_blocks, bias, 60, seed), bias)
+    assert len(set(widths)) > 1
 
 
 def test_a_policy_that_is_hardly_sure_distils_too(four_blocks: Domain, plain_bias) -> None:
@@ -195,8 +216,8 @@ def term(fact) -> str:
 def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with a model trained on four blocks, and its rules."""
     folder = tmp_path_factory.mktemp("run")
-    options = ["--set", "blocks=4", "--episodes", "200", "--step", "second-order", "--evaluate-every", "0", "--quiet"]
-    assert main(["train", "blocks_world", *options, "--output", str(folder)]) == 0
+    options = f"--set blocks=4 --episodes 200 --step second-order --evaluate-every 0 --quiet --output {folder}".split()
+    assert main(["train", "blocks_world", *options]) == 0
     assert main(["distill", str(folder / "model.pl")]) == 0
     return folder
 
