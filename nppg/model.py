@@ -39,6 +39,7 @@ def write(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None:
 
 def write_model(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None:
     """Writes the model alone."""
+    policy, own = policy.stored()
     domain, bias = policy.domain, policy.bias
     templates = {each.name for each in (*bias.actions, bias.goal) if each}
     described = [
@@ -56,6 +57,7 @@ def write_model(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None
             if name not in templates
         ),
         *facts,
+        *own,
         ("trees", len(policy.trees)),
     ]
     entries = [[key, value] for key, value in described]
