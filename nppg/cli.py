@@ -8,16 +8,17 @@ import signal
 import sys
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, fields, replace
+from dataclasses import Field, asdict, fields, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from nppg import __version__
 from nppg.errors import NppgError, Problem
 from nppg.language_bias import LanguageBias, TreeLimits
-from nppg.options import Options, at_least
+from nppg.learners import LEARNERS
+from nppg.options import Common, Options, at_least
 from nppg.shipped import locate, shipped
 
 if TYPE_CHECKING:
@@ -102,12 +103,9 @@ def _parser() -> argparse.ArgumentParser:
     new = command("new", _new, "write a commented domain and language bias to start from")
     new.add_argument("name")
 
-    for field in fields(Options):
-        _add_option(train, field.name, type(field.default), field.default, field.metadata)
-    for field in fields(TreeLimits):
-        help = f"{_LIMITS[field.name]} (default: the language bias's)"
-        name = _RENAMED.get(field.name, field.name)
-        _add_option(train, name, type(field.default), None, {"help": help})
+    train.add_argument("--learner", choices=LEARNERS, default=Options.learner, help="(default: nppg)")
+    for name, owners in _training_options().items():
+        _add_option(train, name, owners)
     train.add_argument("--output", type=Path, help="folder for the files (default: runs/DOMAIN)")
     train.add_argument(
         "--evaluate-every",
@@ -137,17 +135,49 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _add_option(parser: argparse.ArgumentParser, name: str, kind: type, default: object, about: Mapping) -> None:
-    shown = "" if default is None else f" (default: {default})"
+def _training_options() -> dict[str, dict[str, Field]]:
+    """The options of `train` by name, each with its learners."""
+    found: dict[str, dict[str, Field]] = {}
+    for learner, options in LEARNERS.items():
+        for field in fields(options):
+            found.setdefault(field.name, {})[learner] = field
+    for field in fields(TreeLimits):
+        found.setdefault(_RENAMED.get(field.name, field.name), {})[Options.learner] = field
+    return found
+
+
+def _add_option(parser: argparse.ArgumentParser, name: str, owners: Mapping[str, Field]) -> None:
+    defaults = {
+        learner: str(each.default) if each.metadata else "the language bias's" for learner, each in owners.items()
+    }
+    if len(set(defaults.values())) == 1:
+        shown = next(iter(defaults.values()))
+    else:
+        shown = ", ".join(f"{learner} {default}" for learner, default in defaults.items())
+    only = "" if len(owners) == len(LEARNERS) else f"{', '.join(owners)}: "
+    first = next(iter(owners.values()))
+    choices = first.metadata.get("choices")
     parser.add_argument(
         f"--{name.replace('_', '-')}",
         dest=name,
-        type=kind,
-        default=default,
-        choices=about.get("choices"),
-        metavar=None if "choices" in about else kind.__name__.upper(),
-        help=about["help"] + shown,
+        type=type(first.default),
+        choices=choices,
+        metavar=None if choices else type(first.default).__name__.upper(),
+        help=f"{only}{first.metadata.get('help') or _LIMITS[first.name]} (default: {shown})",
     )
+
+
+def _chosen_options(options: argparse.Namespace) -> dict[str, Any]:
+    """Those that were given. Raises NppgError for those that the learner does not have."""
+    given: dict[str, Any] = {}
+    for name, owners in _training_options().items():
+        value = getattr(options, name)
+        if value is not None and options.learner not in owners:
+            raise NppgError(
+                f"--{name.replace('_', '-')} is no option of the learner {options.learner}, but of {', '.join(owners)}"
+            )
+        given |= {} if value is None else {name: value}
+    return given
 
 
 def _parameters(settings: list[str]) -> dict[str, int | float | str]:
@@ -212,13 +242,14 @@ def _check(options: argparse.Namespace) -> int:
 def _train(options: argparse.Namespace) -> int:
     from nppg.runs import run
 
-    chosen = Options(**{field.name: getattr(options, field.name) for field in fields(Options)})
+    given = _chosen_options(options)
+    kind = LEARNERS[options.learner]
+    chosen = kind(**{field.name: given.pop(field.name) for field in fields(kind) if field.name in given})
     at_least("evaluate-every", options.evaluate_every, 0)
     at_least("starts", options.starts, 1)
     domain, bias = _domain(options), LanguageBias.load(_bias_path(options))
-    limits = {field.name: getattr(options, _RENAMED.get(field.name, field.name)) for field in fields(TreeLimits)}
-    given = {name: value for name, value in limits.items() if value is not None}
-    bias = replace(bias, tree=replace(bias.tree, **given))
+    limits = {field.name: _RENAMED.get(field.name, field.name) for field in fields(TreeLimits)}
+    bias = replace(bias, tree=replace(bias.tree, **{name: given[own] for name, own in limits.items() if own in given}))
     output = options.output or Path("runs") / domain.name
     report = (lambda progress: None) if options.quiet else _reporter(chosen)
     until = options.until_success
@@ -230,8 +261,10 @@ def _train(options: argparse.Namespace) -> int:
     return 0
 
 
-def _reporter(options: Options) -> Callable[[Progress], None]:
+def _reporter(options: Common) -> Callable[[Progress], None]:
     """A progress bar on a terminal with tqdm, plain lines elsewhere."""
+    from nppg.runs import sizes
+
     bar = None
     if sys.stderr.isatty():
         try:
@@ -245,12 +278,12 @@ def _reporter(options: Options) -> Callable[[Progress], None]:
         point = progress.point
         if bar is not None:
             bar.update(progress.episodes - bar.n)
-            bar.set_postfix(trees=len(progress.policy.trees), lately=f"{progress.recent:.2f}")
+            bar.set_postfix(progress.policy.sizes(), lately=f"{progress.recent:.2f}")
             if progress.ended:
                 bar.close()
         elif point is not None:
             print(
-                f"episode {point.episode:5d}  trees {point.trees:4d}  success {point.success:.4f} "
+                f"episode {point.episode:5d}  {sizes(progress.policy)}  success {point.success:.4f} "
                 f"(greedy {point.greedy_success:.4f})  {point.seconds:.1f} s",
                 flush=True,
             )

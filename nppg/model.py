@@ -21,6 +21,7 @@ from nppg.domain import Domain
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.language_bias import LanguageBias, Template, TreeLimits
 from nppg.logic import deciding_tests
+from nppg.options import Options
 from nppg.policy import Policy
 from nppg.prolog import ask, ground
 from nppg.tree import Rule, from_rules
@@ -147,6 +148,7 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Policy:
     domain = Domain(beside if beside.is_file() else Path(domain_file).stem, {**_parameters(path, known), **parameters})
     policy = Policy(domain, _bias(path, known, domain))
     policy.facts = known
+    policy.greedy = known.get("learner", [Options.learner]) != [Options.learner]
     for rules in _trees(path, clauses, policy.bias, known):
         policy.add(from_rules(rules, lambda query, literals: deciding_tests(query, literals, len(policy.bias.roots))))
     for problem in another_domain(path, policy):

@@ -39,6 +39,7 @@ class Policy:
         self.name: str = ask("policy", domain.module, [[name, *types] for name, types in signatures])
         drop_with(self, "policy_drop", self.name)
         self._forest = Forest()
+        self._leaves = 0
 
     def add(self, tree: Tree, step_size: float = 1.0, comment: str = "") -> None:
         """Adds step_size * tree to the potential."""
@@ -48,6 +49,7 @@ class Policy:
         self._forest.add(scaled, self.table.column)
         self.trees.append(scaled)
         self.comments.append(comment or f"{leaves(tree)} leaves")
+        self._leaves += leaves(tree)
 
     def potentials(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """Psi(s, a) of each action, shape (actions,)."""
@@ -94,7 +96,7 @@ class Policy:
 
     def sizes(self) -> dict[str, int]:
         """What it consists of, with numbers."""
-        return {"trees": len(self.trees)}
+        return {"trees": len(self.trees), "leaves": self._leaves}
 
     def stored(self) -> tuple[Policy, list[tuple]]:
         """The policy as model files have it, and facts for the head of such a file."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from nppg.options import Common, option
 
@@ -21,3 +22,19 @@ class QOptions(Common):
     def temperature_after(self, episodes: int) -> float:
         """That of the episode behind so many others."""
         return max(self.min_temperature, self.temperature * self.cooling**episodes)
+
+
+@dataclass(frozen=True)
+class GrowthOptions(QOptions):
+    """When a leaf splits."""
+
+    min_sample: int = option(200, "examples that a leaf has seen before it may split", low=3)
+    significance: float = option(0.001, "level of the F-test that a split must pass; 1 switches it off", low=0, high=1)
+    max_depth: int = option(10, "tests on the longest path of the tree", low=0)
+
+
+@dataclass(frozen=True)
+class TGOptions(GrowthOptions):
+    """Of TG. Minimal sample size and significance are the paper's."""
+
+    learner: ClassVar[str] = "tg"

@@ -6,9 +6,9 @@ from nppg.coverage import root_table
 from nppg.domain import Domain
 from nppg.language_bias import LanguageBias
 from nppg.refinement import Refiner
-from nppg.rrl.options import QOptions
+from nppg.rrl.options import QOptions, TGOptions
 from nppg.rrl.qfunction import Regressor
-from nppg.rrl.tg import TG, TGOptions
+from nppg.rrl.tg import TG
 
 
 def regressor(domain: Domain, bias: LanguageBias, options: QOptions) -> Regressor:

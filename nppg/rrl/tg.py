@@ -3,36 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import ClassVar
 
 import numpy as np
 
 from nppg.coverage import Coverage, TestTable
 from nppg.domain import Action, State
-from nppg.options import option
 from nppg.policy import Policy
 from nppg.refinement import Refiner
 from nppg.rrl.numbered_tree import NumberedTree
-from nppg.rrl.options import QOptions
+from nppg.rrl.options import GrowthOptions
 from nppg.rrl.qfunction import Example
 from nppg.tilde import best_gain, is_significant
-
-
-@dataclass(frozen=True)
-class GrowthOptions(QOptions):
-    """When a leaf splits."""
-
-    min_sample: int = option(200, "examples that a leaf has seen before it may split", low=3)
-    significance: float = option(0.001, "level of the F-test that a split must pass; 1 switches it off", low=0, high=1)
-    max_depth: int = option(10, "tests on the longest path of the tree", low=0)
-
-
-@dataclass(frozen=True)
-class TGOptions(GrowthOptions):
-    """Of TG. Minimal sample size and significance are the paper's."""
-
-    learner: ClassVar[str] = "tg"
 
 
 class Statistics:
@@ -116,7 +97,7 @@ class TG:
             self.statistics.append(self._statistics(new, passed))
 
     def sizes(self) -> dict[str, int]:
-        return {"leaves": len(self.tree)}
+        return {"trees": 1, "leaves": len(self.tree)}
 
     def stored(self) -> tuple[Policy, list[tuple]]:
         policy = Policy(self.table.domain, self.table.bias, self.table)
