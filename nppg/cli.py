@@ -6,6 +6,7 @@ import argparse
 import json
 import signal
 import sys
+import time
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import Field, asdict, fields, replace
@@ -16,6 +17,7 @@ import numpy as np
 
 from nppg import __version__
 from nppg.errors import NppgError, Problem
+from nppg.experiments import EXPERIMENTS
 from nppg.language_bias import LanguageBias, TreeLimits
 from nppg.learners import LEARNERS
 from nppg.options import Common, Options, at_least
@@ -37,7 +39,8 @@ _RENAMED = {"min_examples": "min_leaf"}  # the option's name where another optio
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs one command. Returns the exit status: 0, 2 after a mistake, 130 after Ctrl-C."""
-    options = _parser().parse_args(arguments)
+    arguments = sys.argv[1:] if arguments is None else arguments
+    options = _parser().parse_args(arguments, argparse.Namespace(arguments=arguments))
     try:
         if options.command == "doctor":
             return _doctor()
@@ -99,6 +102,18 @@ def _parser() -> argparse.ArgumentParser:
     distill.add_argument("--bias", help="what the rules may test (default: the bias that the model was trained with)")
     distill.add_argument(
         "--output", type=Path, metavar="FILE", help="the rules' model file (default: MODEL's folder, rules.pl)"
+    )
+    reproduce = command("reproduce", _reproduce, "do an experiment of the paper: its runs, its figure, a report")
+    reproduce.add_argument("experiment", choices=EXPERIMENTS)
+    reproduce.add_argument("--runs", type=int, default=10, help="runs of each learner, seeds from 0 (default: 10)")
+    reproduce.add_argument("--episodes", type=int, default=2000, help="(default: 2000)")
+    reproduce.add_argument("--jobs", type=int, help="runs at a time (default: the cores there are)")
+    reproduce.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a parameter of the domain")
+    reproduce.add_argument(
+        "--output",
+        type=Path,
+        default=Path("runs/reproduce"),
+        help="folder for all; finished runs that it has are not done again (default: runs/reproduce)",
     )
     new = command("new", _new, "write a commented domain and language bias to start from")
     new.add_argument("name")
@@ -289,6 +304,27 @@ def _reporter(options: Common) -> Callable[[Progress], None]:
             )
 
     return show
+
+
+def _reproduce(options: argparse.Namespace) -> int:
+    from nppg import figures
+    from nppg.reproduce import available_cores, do, jobs
+
+    processes = available_cores() if options.jobs is None else options.jobs
+    for name, value in (("runs", options.runs), ("jobs", processes)):
+        at_least(name, value, 1)
+    experiment = EXPERIMENTS[options.experiment]
+    wanted = jobs(experiment, options.runs, options.episodes, _parameters(options.set), options.output)
+    begin, done = time.perf_counter(), 0
+    for count, (job, seconds) in enumerate(do(wanted, processes), 1):
+        done += seconds > 0
+        how = f"{seconds:.0f} s" if seconds else "done before"
+        print(f"{count:3d} of {len(wanted)}: {job.folder.name}, {job.result()}, {how}", flush=True)
+    command = " ".join(["nppg", "reproduce", *(options.arguments[1:])])
+    took = time.perf_counter() - begin if done else 0.0
+    for path in figures.write(experiment.name, wanted, options.output, command, took):
+        print(f"written: {path}")
+    return 0
 
 
 def _load(options: argparse.Namespace) -> Policy:

@@ -123,12 +123,36 @@ class ExactEvaluator:
             found |= sure & (limits == t)
         return found & space.running
 
+    def sample(
+        self, starts: np.ndarray, rng: np.random.Generator, greedy: bool = False, horizon_factor: float = 1.0
+    ) -> np.ndarray:
+        """One episode from each of the classes `starts`: whether it reaches the goal. States of one class differ by
+        names alone, so this draws from the same distribution as acting in the states themselves."""
+        space = self.space
+        heads = np.searchsorted(space.owner, np.arange(len(space.states) + 1))  # first pair of each class
+        outcomes = np.searchsorted(space.origin, np.arange(len(space.owner) + 1))
+        chance, weight = np.cumsum(self.probabilities(greedy)), np.cumsum(space.weight)
+        limits = np.ceil(horizon_factor * np.array(space.horizons)[starts])
+        now, goal = np.array(starts), np.array([status == "goal" for status in space.status])
+        for t in range(int(limits.max(initial=0))):
+            acting = np.flatnonzero(space.running[now] & (t < limits))
+            pairs = _drawn(chance, heads[now[acting]], heads[now[acting] + 1], rng)
+            now[acting] = space.target[_drawn(weight, outcomes[pairs], outcomes[pairs + 1], rng)]
+        return goal[now]
+
     def evaluate(self, greedy: bool = False, horizon_factor: float = 1.0) -> Evaluation:
         """The mean over all start states."""
         success, steps = self.by_class(greedy, horizon_factor)
         share = np.array([size / self.space.starts for size in self.space.sizes])
         greedy = self._is_greedy(greedy)
         return Evaluation(math.fsum(share * success), self.space.starts, True, greedy, math.fsum(share * steps))
+
+
+def _drawn(cumulative: np.ndarray, first: np.ndarray, end: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """For each stretch from `first` to `end` a number of it, drawn by its share of the cumulative weights."""
+    low, high = np.where(first > 0, cumulative[first - 1], 0.0), cumulative[end - 1]
+    found = np.searchsorted(cumulative, low + rng.random(len(first)) * (high - low), side="right")
+    return np.clip(found, first, end - 1)
 
 
 def _distinct(rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
