@@ -83,9 +83,10 @@ class Job:
 
     def tests(self) -> list[Tested]:
         """Those of the finished run."""
+        kinds = (int, int, float, float, int, int)
         with (self.folder / _TESTS).open(newline="") as file:
-            kinds = (int, int, float, float, int, int)
-            return [Tested(*(kind(x) for kind, x in zip(kinds, row, strict=True))) for row in list(csv.reader(file))[1:]]
+            _, *rows = csv.reader(file)
+        return [Tested(*(kind(x) for kind, x in zip(kinds, row, strict=True))) for row in rows]
 
     def summary(self) -> dict:
         """What run.json says of the finished run."""
