@@ -87,6 +87,8 @@ def _parser() -> argparse.ArgumentParser:
     distill = command("distill", _distill, "write few rules that choose like a policy of many trees")
     for each in (prove, distill):
         each.add_argument("model", type=Path, help="a model file")
+    for each in (distill, show):
+        each.add_argument("--explain", action="store_true", help="say in plain English what each rule does")
     for each in (prove,):
         each.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a parameter of the domain")
     prove.add_argument("--stochastic", action="store_true", help="about the stochastic policy, not the greedy one")
@@ -145,6 +147,7 @@ def _parser() -> argparse.ArgumentParser:
     evaluate.add_argument("--json", action="store_true", help="print one JSON object")
     for each in (evaluate, play):
         each.add_argument("--seed", type=int, default=0)
+    show.add_argument("--bias", help="whose sentences explain (default: the bias that the model was trained with)")
     show.add_argument("--tree", type=int, metavar="N", help="this tree alone, from 1")
     show.add_argument("--format", choices=("prolog", "dot"), default="prolog")
     return parser
@@ -392,18 +395,22 @@ def _prove(options: argparse.Namespace) -> int:
 def _distill(options: argparse.Namespace) -> int:
     from nppg.distill import distill
     from nppg.evaluation import evaluate, evaluate_exactly
+    from nppg.explain import explained, sentences
 
     at_least("max-rules", options.max_rules, 1)
     policy = _load(options)
-    if not options.bias and "bias" not in policy.facts:
-        raise NppgError([Problem(str(options.model), 0, 0, "the model names no language bias; give one by --bias")])
-    bias = LanguageBias.load(locate(options.bias or policy.bias.file, "language_bias", ".yaml"))
+    bias = _bias_of(policy, options)
     rules = distill(policy, bias, options.max_rules)
     exact = policy.domain.uniform_start and policy.domain.has_goal
     result = evaluate_exactly(rules, greedy=True) if exact else evaluate(rules, seed=1, greedy=True)
     output = options.output or options.model.with_name("rules.pl")
-    rules.save(output, [("success", result.success), ("starts", result.starts), ("exact", int(result.exact))])
-    print(*rules.rules(1), sep="\n")
+    beside = Path(bias.file).resolve().parent == output.resolve().parent
+    facts = [
+        *([("bias", Path(bias.file).name), ("bias_sha256", bias.hash)] if beside else []),
+        *(("success", result.success), ("starts", result.starts), ("exact", int(result.exact))),
+    ]
+    rules.save(output, facts, [sentences(rules, 1, bias)] if options.explain else ())
+    print(*(explained(rules, 1, bias) if options.explain else rules.rules(1)), sep="\n")
     over = "all" if result.exact else "sampled"
     print(
         f"success of these rules over {over} {result.starts:,} start states: {result.success:.6f}; written to {output}"
@@ -411,18 +418,30 @@ def _distill(options: argparse.Namespace) -> int:
     return 0
 
 
+def _bias_of(policy: Policy, options: argparse.Namespace) -> LanguageBias:
+    """The file given by --bias, or the one that the model names."""
+    if not options.bias and "bias" not in policy.facts:
+        raise NppgError([Problem(str(options.model), 0, 0, "the model names no language bias; give one by --bias")])
+    return LanguageBias.load(locate(options.bias or policy.bias.file, "language_bias", ".yaml"))
+
+
 def _show(options: argparse.Namespace) -> int:
     from nppg.dot import dot
+    from nppg.explain import explained
 
+    if options.explain and options.format == "dot":
+        raise NppgError("--explain is about rules, which --format dot does not show")
     policy = _load(options)
     count = len(policy.trees)
     if options.tree is not None and not 1 <= options.tree <= count:
         raise NppgError(f"there is no tree {options.tree}: the model has {count}")
+    bias = _bias_of(policy, options) if options.explain else None
     for number in range(1, count + 1) if options.tree is None else [options.tree]:
         if options.format == "dot":
             print(dot(policy.trees[number - 1], policy.bias, f"tree_{number}"))
         else:
-            print(f"% tree {number}: {policy.comments[number - 1]}", *policy.rules(number), "", sep="\n")
+            rules = explained(policy, number, bias) if bias else policy.rules(number)
+            print(f"% tree {number}: {policy.comments[number - 1]}", *rules, "", sep="\n")
     return 0
 
 

@@ -29,17 +29,19 @@ from nppg.tree import Rule, from_rules
 FORMAT = 1
 
 
-def write(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None:
+def write(policy: Policy, path: Path, facts: Sequence[tuple] = (), sentences: Sequence[Sequence[str]] = ()) -> None:
     """Writes the model, and a copy of its domain beside it. Raises NppgError where there are `conflicts`."""
     copies = {policy.domain.path.name: policy.domain.source}
     if problems := conflicts(path.parent, copies, [path.name]):
         raise NppgError(problems.values())
     write_copies(path.parent, copies)
-    write_model(policy, path, facts)
+    write_model(policy, path, facts, sentences)
 
 
-def write_model(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None:
-    """Writes the model alone."""
+def write_model(
+    policy: Policy, path: Path, facts: Sequence[tuple] = (), sentences: Sequence[Sequence[str]] = ()
+) -> None:
+    """Writes the model alone; `sentences`, if given, has for each tree one for each of its rules."""
     policy, own = policy.stored()
     domain, bias = policy.domain, policy.bias
     templates = {each.name for each in (*bias.actions, bias.goal) if each}
@@ -62,11 +64,12 @@ def write_model(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None
         ("trees", len(policy.trees)),
     ]
     entries = [[key, value] for key, value in described]
+    comments = [[each] for each in policy.comments]
+    if sentences:
+        comments = [[*comment, *said] for comment, said in zip(comments, sentences, strict=True)]
     replacing(
         path,
-        lambda temporary: ask(
-            "save", str(temporary), domain.name, domain.path.name, entries, policy.name, policy.comments
-        ),
+        lambda temporary: ask("save", str(temporary), domain.name, domain.path.name, entries, policy.name, comments),
     )
 
 

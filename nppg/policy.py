@@ -106,12 +106,13 @@ class Policy:
         """The clauses of a tree (from 1), one line each."""
         return ask("rules", self.name, tree)
 
-    def save(self, path: str | Path, facts: Sequence[tuple] = ()) -> None:
-        """Writes a model file, with `facts` in its head: pairs of a name and a term. A copy of the domain comes to
-        stand beside it; raises NppgError where another file of that name is there. See nppg.model."""
+    def save(self, path: str | Path, facts: Sequence[tuple] = (), sentences: Sequence[Sequence[str]] = ()) -> None:
+        """Writes a model file, with `facts` in its head: pairs of a name and a term; and, if given, with `sentences`
+        above its rules, for each tree one for each rule. A copy of the domain comes to stand beside it; raises
+        NppgError where another file of that name is there. See nppg.model and nppg.explain."""
         from nppg.model import write
 
-        write(self, Path(path), facts)
+        write(self, Path(path), facts, sentences)
 
     @classmethod
     def load(cls, path: str | Path, parameters: dict | None = None) -> Policy:

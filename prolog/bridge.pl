@@ -196,6 +196,12 @@ rules(Policy, Tree, Texts) :-
     signatures(Policy, Signatures),
     findall(Text, ( rule(Policy, Tree, Clause), rule_text(Signatures, Clause, Text) ), Texts).
 
+%!  parts(+Policy, +Tree, -Parts) is det: the rules of a tree, each as what it consists of; see model.pl.
+
+parts(Policy, Tree, Parts) :-
+    signatures(Policy, Signatures),
+    findall(Rule, ( rule(Policy, Tree, Clause), rule_parts(Signatures, Clause, Rule) ), Parts).
+
 save(File, Name, DomainFile, Facts, Policy, Comments, true) :-
     write_model(File, Name, DomainFile, Facts, Policy, Comments).
 
