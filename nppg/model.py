@@ -156,6 +156,10 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Policy:
         policy.add(from_rules(rules, lambda query, literals: deciding_tests(query, literals, len(policy.bias.roots))))
     for problem in another_domain(path, policy):
         warnings.warn(str(problem), stacklevel=3)
+    if "instance" in known:
+        from nppg.rrl.instance_tree import restored
+
+        return restored(policy, path)
     return policy
 
 
