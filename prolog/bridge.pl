@@ -83,6 +83,18 @@ visit(Module, Data, true) :-
 drawing(Module, Lines) :-
     picture(Module, Lines).
 
+%!  parts_of(+Module, -Data) is det: the lists that the current state consists of.
+
+parts_of(Module, Data) :-
+    parts(Module, Parts),
+    maplist(maplist(encode), Parts, Data).
+
+%!  binding_of(+Module, +Name, +Arity, -Data) is det: the arguments of the goal's only answer.
+
+binding_of(Module, Name, Arity, Data) :-
+    binding(Module, Name, Arity, Values),
+    maplist(encode, Values, Data).
+
 %!  intact(+Module, -Truth) is det: whether the fluents are what the state says, and domain code left them alone.
 
 intact(Module, Truth) :-
