@@ -15,5 +15,5 @@ class Experiment:
     starts: int = 1000
 
 
-_ALL = (Experiment("figure1", ("nppg", "tg")), Experiment("figure2", ("nppg",)))
+_ALL = (Experiment("figure1", ("nppg", "tg", "rib", "trendi")), Experiment("figure2", ("nppg",)))
 EXPERIMENTS = {each.name: each for each in _ALL}

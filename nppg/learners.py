@@ -6,14 +6,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from nppg.options import Common, Options
-from nppg.rrl.options import QOptions, TGOptions
+from nppg.rrl.options import QOptions, RIBOptions, TGOptions, TrendiOptions
 
 if TYPE_CHECKING:
     from nppg.domain import Domain
     from nppg.language_bias import LanguageBias
     from nppg.training import Iteration
 
-LEARNERS: dict[str, type[Common]] = {each.learner: each for each in (Options, TGOptions)}
+LEARNERS: dict[str, type[Common]] = {each.learner: each for each in (Options, TGOptions, RIBOptions, TrendiOptions)}
 
 
 def train(domain: Domain, bias: LanguageBias, options: Common | None = None) -> Iterator[Iteration]:

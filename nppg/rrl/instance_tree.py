@@ -24,7 +24,7 @@ from nppg.rrl.numbered_tree import NumberedTree
 from nppg.rrl.options import InstanceOptions, RIBOptions, TrendiOptions
 from nppg.rrl.qfunction import Example, QFunction
 from nppg.tilde import best_split
-from nppg.tree import Leaf, Tree
+from nppg.tree import Tree
 
 
 class _Held:
@@ -65,7 +65,7 @@ class InstanceTree:
         refiner: Refiner,
         distance: PairDistance,
         options: InstanceOptions,
-        tree: Tree = Leaf(0.0),
+        tree: Tree | None = None,
     ):
         self.table = table
         self.distance = distance
@@ -152,9 +152,9 @@ def restored(policy: Policy, path: Path) -> QFunction:
     regressor = InstanceTree(policy.table, Refiner(policy.bias), distance, options, tree)
     for fact in instances:
         match fact:
-            case ("instance", int(rule), action, float(value), ("state", *facts_of_state)) if (
-                1 <= rule <= len(regressor.leaves) and _is_pair(policy, tuple(facts_of_state), action)
-            ):
+            case ("instance", int(rule), action, float(value), ("state", *facts_of_state)) if 1 <= rule <= len(
+                regressor.leaves
+            ) and _is_pair(policy, tuple(facts_of_state), action):
                 state = tuple(facts_of_state)
                 number = int(distance.describe(state, [action])[0])
                 regressor.leaves[rule - 1].store(number, value, state, action)

@@ -17,7 +17,8 @@ from nppg.tree import Leaf, Node, Tree, mapped, rules
 class NumberedTree:
     """`queries` and `depths` have an entry for each leaf: its associated query, and how many tests lead to it."""
 
-    def __init__(self, table: TestTable, refiner: Refiner, tree: Tree = Leaf(0.0)):
+    def __init__(self, table: TestTable, refiner: Refiner, tree: Tree | None = None):
+        tree = tree or Leaf(0.0)
         self.table = table
         self.refiner = refiner
         self.queries: list[Query] = [rule.query for rule in rules(tree)]

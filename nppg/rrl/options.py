@@ -38,3 +38,38 @@ class TGOptions(GrowthOptions):
     """Of TG. Minimal sample size and significance are the paper's."""
 
     learner: ClassVar[str] = "tg"
+
+
+@dataclass(frozen=True)
+class InstanceOptions(QOptions):
+    """What RIB stores, and what it removes."""
+
+    mismatch: float = option(1.0, "distance for each argument of goal and action that is another one", low=1e-9)
+    neighbours: int = option(30, "nearest instances whose values' standard deviation is the local deviation", low=1)
+    local_deviation: float = option(0.5, "an error up to this many local deviations is kept out", low=0)
+    global_deviation: float = option(0.1, "an error up to this many deviations of all values is kept out", low=0)
+    max_instances: int = option(500, "instances in memory", low=2, high=4000)
+    removal: str = option(
+        "error-contribution",
+        "what leaves a full memory: the instance that the others' predictions miss least, or the one that varies most",
+        choices=("error-contribution", "maximum-variance"),
+    )
+    max_gradient: float = option(
+        0.1, "M of maximum-variance: values should differ by no more than M times the distance", low=0
+    )
+
+
+@dataclass(frozen=True)
+class RIBOptions(InstanceOptions):
+    """Of RIB."""
+
+    learner: ClassVar[str] = "rib"
+
+
+@dataclass(frozen=True)
+class TrendiOptions(InstanceOptions, GrowthOptions):
+    """Of TRENDI. A leaf looks for a split whenever it has seen `min_sample` more examples."""
+
+    learner: ClassVar[str] = "trendi"
+
+    min_instances: int = option(20, "instances that a leaf holds before it may split", low=3)
