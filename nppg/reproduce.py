@@ -71,7 +71,7 @@ class Job:
             and summary["options"] == asdict(self.options)
             and summary["episodes"] == self.options.episodes
             and summary["curve"]["starts"] == self.experiment.starts
-            and self.parameters.items() <= summary["domain"]["parameters"].items()
+            and summary["domain"]["parameters"] == _domain(name, tuple(sorted(self.parameters.items()))).parameters
             and [summary[each]["sha256"] for each in ("domain", "bias")] == list(map(file_hash, inputs))
         )
 
@@ -164,9 +164,14 @@ def _learn(job: Job) -> None:
 
 
 @functools.cache
+def _domain(name: str, parameters: tuple) -> Domain:
+    return Domain(name, dict(parameters))
+
+
+@functools.cache
 def _prepared(name: str, parameters: tuple) -> tuple[Domain, LanguageBias, Space]:
     """What the runs of a process share: the domain, its language bias, its space."""
-    domain = Domain(name, dict(parameters))
+    domain = _domain(name, parameters)
     return domain, LanguageBias.load(locate(name, "language_bias", ".yaml")), Space(domain)
 
 
