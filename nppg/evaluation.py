@@ -59,6 +59,7 @@ class ExactEvaluator:
         self._first = np.flatnonzero(np.diff(self.space.owner, prepend=-1))  # pair of each running class
         self._answers = np.empty((0, 0))
         self._row = np.empty(0, int)  # of each pair among the distinct answers
+        self._potentials: np.ndarray | None = None  # of a snapshot
 
     def of(self, policy: Policy) -> ExactEvaluator:
         """An evaluator of another policy over the same table, with all that has been computed for this one."""
@@ -66,8 +67,17 @@ class ExactEvaluator:
         other.policy = policy
         return other
 
+    def snapshot(self) -> ExactEvaluator:
+        """An evaluator of the policy as it is now, whatever it learns later; its potentials are computed once."""
+        potentials = self.potentials()
+        other = copy.copy(self)
+        other._potentials = potentials
+        return other
+
     def potentials(self) -> np.ndarray:
         """Psi of each pair of the space."""
+        if self._potentials is not None:
+            return self._potentials
         space, policy = self.space, self.policy
         if named := policy.named() & space.objects:
             raise NppgError(f"the policy names {sorted(named)}, which the domain declares interchangeable")

@@ -61,7 +61,7 @@ class Progress:
     outcomes: list[bool] = field(default_factory=list)
     curve: list[Point] = field(default_factory=list)
     point: Point | None = None
-    evaluator: ExactEvaluator | None = None  # that the points come from, where they are exact
+    evaluator: ExactEvaluator | None = None  # that the last point comes from, where it is exact
     ended: bool = False
     written: list[str] = field(default_factory=list)  # names of the files, at the end
 
@@ -152,10 +152,16 @@ def _judge(progress: Progress, starts: int, space: Space | None) -> Callable[[],
     policy, seed, factor = progress.policy, progress.options.seed, progress.options.horizon_factor
     if policy.domain.uniform_start and policy.domain.has_goal:
         try:
-            exact = progress.evaluator = ExactEvaluator(policy, space or Space(policy.domain, _CLASSES))
-            return lambda: (exact.evaluate(False, factor), exact.evaluate(True, factor))
+            exact = ExactEvaluator(policy, space or Space(policy.domain, _CLASSES))
         except NppgError:
             pass
+        else:
+
+            def exactly() -> tuple[Evaluation, Evaluation]:
+                now = progress.evaluator = exact.snapshot()
+                return now.evaluate(False, factor), now.evaluate(True, factor)
+
+            return exactly
     return lambda: (
         evaluate(policy, starts, seed, False, factor),
         evaluate(policy, starts, seed, True, factor),
