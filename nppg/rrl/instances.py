@@ -119,8 +119,11 @@ class Instances:
         return int(self.error_contributions().argmin())
 
     def error_contributions(self) -> np.ndarray:
-        """By how much the summed errors of the others grow where an instance is removed, shape (instances,). The error
-        of an instance is that of its prediction from all others; there must be three of them or more.
+        """What removing an instance costs, shape (instances,): the error of its own prediction from the others, and by
+        how much such errors of the others grow in all. There must be three instances or more.
+
+        Without its own error an instance that differs from its neighbours would always be the first to go, and as only
+        what differs comes in, memory would keep what it held when it was first full.
 
         With T_i = sum_j w_ij and S_i = sum_j w_ij q_j, the error of i without k is
 
@@ -139,11 +142,12 @@ class Instances:
             np.abs(errors, out=errors)
             errors /= totals[some, None] - weights[some]
             summed += errors.sum(axis=0)
-        return summed - (np.abs(offsets) / totals).sum()  # in both sums the instance's own error is the same
+        own = np.abs(offsets) / totals
+        return summed - own.sum() + own  # in both sums the instance's own error is there and the same
 
     def variance_excess(self) -> np.ndarray:
-        """By how much the slopes |q_i - q_j| / d_ij to other instances exceed `max_gradient` in all, shape
-        (instances,)."""
+        """By how much an instance's slopes |q_i - q_j| / d_ij exceed `max_gradient` in all, shape (instances,). An M
+        that is too small for the values keeps what is new out of a full memory."""
         n = self._size
         weights, values = self._weights[:n, :n], self._values[:n].astype(np.float32)
         excess = np.zeros(n)

@@ -46,12 +46,12 @@ class InstanceOptions(QOptions):
 
     mismatch: float = option(1.0, "distance for each argument of goal and action that is another one", low=1e-9)
     neighbours: int = option(30, "nearest instances whose values' standard deviation is the local deviation", low=1)
-    local_deviation: float = option(0.5, "an error up to this many local deviations is kept out", low=0)
-    global_deviation: float = option(0.1, "an error up to this many deviations of all values is kept out", low=0)
+    local_deviation: float = option(0.1, "an error up to this many local deviations is kept out", low=0)
+    global_deviation: float = option(0.05, "an error up to this many deviations of all values is kept out", low=0)
     max_instances: int = option(500, "instances in memory", low=2, high=4000)
     removal: str = option(
         "error-contribution",
-        "what leaves a full memory: the instance that the others' predictions miss least, or the one that varies most",
+        "what leaves a full memory: the instance that predictions miss least, or the one that varies most",
         choices=("error-contribution", "maximum-variance"),
     )
     max_gradient: float = option(
