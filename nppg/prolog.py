@@ -66,8 +66,27 @@ def ask(question: str, *args: Any) -> Any:
 
 
 def ground(data: Any) -> Any:
-    """A ground term as it crosses, compounds as lists, as Python keeps it, compounds as tuples."""
-    return tuple(map(ground, data)) if isinstance(data, list) else data
+    """A ground term as it crosses, compounds as lists, as Python keeps it, compounds as tuples. A Prolog list is as
+    deep as it is long, so nothing recurs here."""
+    if not isinstance(data, list):
+        return data
+    if not any(isinstance(arg, list) for each in data if isinstance(each, list) for arg in each):  # as most are
+        return tuple([tuple(each) if isinstance(each, list) else each for each in data])
+    whole: list = []
+    open_terms = [(data, whole)]
+    while True:
+        term, done = open_terms[-1]
+        if len(done) < len(term):
+            arg = term[len(done)]
+            if isinstance(arg, list):
+                open_terms.append((arg, []))
+            else:
+                done.append(arg)
+        elif len(open_terms) == 1:
+            return tuple(done)
+        else:
+            open_terms.pop()
+            open_terms[-1][1].append(tuple(done))
 
 
 def _problem(file: str, line: int, column: int, message: str, name: str = "", known: Iterable[str] = ()) -> Problem:
