@@ -164,10 +164,17 @@ stacked([Block|Row], I, Bottoms, Below, [on(Block, Under)|Facts]) :-
     Next is I + 1,
     stacked(Row, Next, Later, Block, Facts).
 
+% The towers, each from the floor up.
+
+parts(Towers) :- findall(Tower, ( on(Bottom, floor), tower(Bottom, Tower) ), Towers).
+
+tower(Block, [Block|Above]) :- on(Next, Block), !, tower(Next, Above).
+tower(Block, [Block]).
+
 % The towers side by side, and the goal.
 
 picture(Lines) :-
-    findall(Tower, ( on(Bottom, floor), tower(Bottom, Tower) ), Towers),
+    parts(Towers),
     aggregate_all(max(Height), ( member(Tower, Towers), length(Tower, Height) ), Highest),
     findall(Line, ( between(1, Highest, Down), Level is Highest - Down, row(Towers, Level, Line) ), Rows),
     parameter(task, Task),
@@ -177,9 +184,6 @@ picture(Lines) :-
 told(on, Goal) :- goal_on(A, B), format(atom(Goal), 'goal: ~w on ~w', [A, B]).
 told(stack, 'goal: all blocks in one tower').
 told(unstack, 'goal: all blocks on the floor').
-
-tower(Block, [Block|Above]) :- on(Next, Block), !, tower(Next, Above).
-tower(Block, [Block]).
 
 row(Towers, Level, Line) :-
     findall(Cell, ( member(Tower, Towers), cell(Tower, Level, Cell) ), Cells),
