@@ -224,19 +224,26 @@ def _domain(options: argparse.Namespace) -> Domain:
 
 
 def _bias_path(options: argparse.Namespace) -> Path:
-    """The file given by --bias, or that of the domain's name: beside the domain, else among the shipped ones."""
+    """The file given by --bias, or that of the domain's name: beside the domain, else among the shipped ones.
+
+    Where a parameter is set to the name of another bias in that folder, the user is to choose."""
     if options.bias:
         return locate(options.bias, "language_bias", ".yaml")
     domain = locate(options.domain, "domains", ".pl")
-    beside = domain.with_suffix(".yaml")
-    if beside.is_file():
-        return beside
-    try:
-        return locate(domain.stem, "language_bias", ".yaml")
-    except NppgError:
-        raise NppgError(
-            [Problem(str(beside), 0, 0, "there is no language bias of this name; give one by --bias")]
-        ) from None
+    path = domain.with_suffix(".yaml")
+    if not path.is_file():
+        try:
+            path = locate(domain.stem, "language_bias", ".yaml")
+        except NppgError:
+            raise NppgError(
+                [Problem(str(path), 0, 0, "there is no language bias of this name; give one by --bias")]
+            ) from None
+    for setting in options.set:
+        other = path.parent / f"{setting.partition('=')[2]}.yaml"
+        if other in path.parent.glob("*.yaml") and other != path:
+            own, default = (each.stem if each.parent == shipped("language_bias") else each for each in (other, path))
+            raise NppgError(f"{setting} has a language bias of its own: give --bias {own}, or --bias {default}")
+    return path
 
 
 def _doctor() -> int:
