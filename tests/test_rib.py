@@ -25,11 +25,11 @@ class Points:
         return self.table[np.ix_(pairs, others)]
 
 
-def predicted(points: Points, known: dict[int, float], pair: int) -> float:
+def predicted(points: Points, known: dict[int, float], pair: int, power: float = 1.0) -> float:
     """The formula, in a loop."""
     if pair in known:
         return known[pair]
-    weights = {each: 1 / float(points.table[pair, each]) for each in known}
+    weights = {each: 1 / float(points.table[pair, each]) ** power for each in known}
     return math.fsum(weights[each] * q for each, q in known.items()) / math.fsum(weights.values()) if known else 0.0
 
 
@@ -44,11 +44,12 @@ def contents(instances: Instances) -> dict[int, float]:
     return dict(zip(instances.pairs.tolist(), instances.values.tolist(), strict=True))
 
 
+@pytest.mark.parametrize("power", [1.0, 2.5])
 @pytest.mark.parametrize("count", [0, 1, 2, 20])
-def test_prediction(count: int) -> None:
+def test_prediction(count: int, power: float) -> None:
     points = Points(60)
-    instances = filled(points, count)
-    wanted = [predicted(points, contents(instances), pair) for pair in range(60)]
+    instances = filled(points, count, power=power)
+    wanted = [predicted(points, contents(instances), pair, power) for pair in range(60)]
     assert np.allclose(instances.predict(np.arange(60)), wanted, rtol=1e-12)
     assert len(instances) == count and instances.predict(np.arange(0)).shape == (0,)
 

@@ -45,6 +45,7 @@ class InstanceOptions(QOptions):
     """What RIB stores, and what it removes."""
 
     mismatch: float = option(1.0, "distance for each argument of goal and action that is another one", low=1e-9)
+    power: float = option(1.0, "power of the distances that weight a prediction; the paper's is 1", low=0.1, high=20)
     neighbours: int = option(30, "nearest instances whose values' standard deviation is the local deviation", low=1)
     local_deviation: float = option(0.1, "an error up to this many local deviations is kept out", low=0)
     global_deviation: float = option(0.05, "an error up to this many deviations of all values is kept out", low=0)
