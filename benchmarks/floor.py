@@ -141,8 +141,10 @@ def train(
     guidance: float = 0.1,
     min_examples: int = 100,
     max_depth: int = 4,
+    second_order: bool = False,
 ) -> tuple[np.ndarray, int]:
-    """Algorithm 1 with the paper's settings: the potential of every action, and the number of trees."""
+    """Algorithm 1 with the paper's settings, or with second-order steps: the potential of every action, and the number
+    of trees."""
     rng = np.random.default_rng(seed)
     starts, distribution, optimal = world.starts, world.start_distribution(), world.optimal
     values = world.tests.astype(float)
@@ -151,6 +153,7 @@ def train(
     trees = 0
     rows: list[np.ndarray] = []
     gradients: list[np.ndarray] = []
+    curvatures: list[np.ndarray] = []
     for _ in range(episodes):
         state = rng.choice(starts, p=distribution)
         guided = rng.random() < guidance
@@ -165,34 +168,50 @@ def train(
             if world.moves_left[state] == 0:
                 break
         won = float(world.moves_left[state] == 0)
-        for a, b, probabilities, chosen in steps:
+        for a, b, probabilities, chosen in steps if won or not second_order else ():
             gradient = -won * probabilities[chosen] * probabilities
             gradient[chosen] += won * probabilities[chosen]
             rows.append(np.arange(a, b))
             gradients.append(gradient)
+            curvatures.append(probabilities * (1 - probabilities) if second_order else np.ones(b - a))
         if sum(map(len, rows)) > min_examples:
-            tree = _grow(world.tests, values, np.concatenate(rows), np.concatenate(gradients), max_depth)
+            gathered = map(np.concatenate, (rows, gradients, curvatures))
+            tree = _grow(world.tests, values, *gathered, max_depth, 1.0 if second_order else 0.0)
             _add(world.tests, tree, everywhere, potential)
             trees += 1
-            rows, gradients = [], []
+            rows, gradients, curvatures = [], [], []
     return potential, trees
 
 
-def _grow(tests: np.ndarray, values: np.ndarray, rows: np.ndarray, targets: np.ndarray, depth: int) -> Tree:
-    """A regression tree with at least two examples in a leaf, split by weighted variance."""
-    count, total = len(targets), targets.sum()
+def _grow(
+    tests: np.ndarray,
+    values: np.ndarray,
+    rows: np.ndarray,
+    targets: np.ndarray,
+    weights: np.ndarray,
+    depth: int,
+    regularisation: float,
+) -> Tree:
+    """A regression tree with at least two examples in a leaf, split by weighted variance where the weights are 1 and
+    there is no regularisation, else by second-order gain."""
+    count, total, whole = len(targets), targets.sum(), weights.sum() + regularisation
+    leaf = float(np.clip(total / whole, -3, 3))
     if depth == 0 or count < 4 or targets.var() < 1e-6:
-        return targets.mean()
+        return leaf
     held = values[rows]
     n1, s1 = held.sum(axis=0), targets @ held
+    w1 = weights @ held + regularisation if regularisation else n1
     with np.errstate(all="ignore"):
-        kept = s1**2 / n1 + (total - s1) ** 2 / (count - n1)
+        kept = s1**2 / w1 + (total - s1) ** 2 / (whole + regularisation - w1)
     kept[(n1 < 2) | (count - n1 < 2)] = -np.inf
     best = int(np.argmax(kept))
-    if not kept[best] > total**2 / count + 1e-9:
-        return targets.mean()
+    if not kept[best] > total**2 / whole + 1e-9:
+        return leaf
     yes = tests[rows, best]
-    branches = (_grow(tests, values, rows[mask], targets[mask], depth - 1) for mask in (yes, ~yes))
+    branches = (
+        _grow(tests, values, rows[mask], targets[mask], weights[mask], depth - 1, regularisation)
+        for mask in (yes, ~yes)
+    )
     return best, *branches
 
 
@@ -224,9 +243,11 @@ def main() -> None:
     parser.add_argument("--episodes", type=int, default=2000)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--blocks", type=int, default=10)
+    parser.add_argument("--second-order", action="store_true")
     chosen = parser.parse_args()
     tabling, world = timed(lambda: tables(chosen.blocks))
-    training, (potential, trees) = timed(lambda: train(world, chosen.episodes, chosen.seed))
+    second = chosen.second_order
+    training, (potential, trees) = timed(lambda: train(world, chosen.episodes, chosen.seed, second_order=second))
     share = success(world, potential)
     print(f"{training:.3f} s, after {tabling:.3f} s for the tables; {trees} trees, success {share:.6f}")
 

@@ -17,11 +17,12 @@ from benchmarks.common import timed
 from benchmarks.training import learn
 from nppg.coverage import Coverage, TestTable
 from nppg.forest import Forest
+from nppg.options import Options
 from nppg.policy import Policy
 from nppg.refinement import Refiner
 
 STAGES: list[tuple[Any, str, str]] = [
-    (nppg.training, "generate_episode", "the loop of an episode, choosing"),
+    (nppg.episode, "generate_episode", "the loop of an episode, choosing"),
     (TestTable, "answers", "unpacking the answers"),
     (Forest, "sums", "summing the trees"),
     (nppg.training, "examples", "the functional gradient"),
@@ -75,7 +76,7 @@ def table(seed: int = 0, episodes: int = 2000) -> str:
     """The profile of a run, in Markdown."""
     clock = Clock()
     with _wrapped(clock):
-        total, _ = timed(lambda: learn(seed, episodes))
+        total, _ = timed(lambda: learn(Options(episodes, seed)))
     shown = sorted(((seconds, key) for key, seconds in clock.seconds.items()), reverse=True)
     rows = [
         f"| {key} | {clock.calls[key]} | {1e6 * seconds / clock.calls[key]:.0f} | {seconds / total:.1%} |"
