@@ -13,6 +13,7 @@ from statistics import median
 from benchmarks import floor
 from benchmarks.common import Row, timed
 from nppg import Domain, LanguageBias, Options, Policy, train
+from nppg.options import Common
 from nppg.shipped import locate
 
 SEEDS = range(3)
@@ -20,7 +21,7 @@ TIMES = 12
 MEGABYTES = 300
 
 
-def learn(options: Options) -> Policy:
+def learn(options: Common) -> Policy:
     domain = Domain("blocks_world")
     bias = LanguageBias.load(locate("blocks_world", "language_bias", ".yaml"))
     return deque(train(domain, bias, options), maxlen=1)[0].policy
