@@ -58,16 +58,17 @@ def _last(iterations: Iterator) -> Policy:
 
 
 def _report(chosen: argparse.Namespace, rows: list[str], kept: int, starts: int) -> str:
+    options = f"--seeds {chosen.seeds} --episodes {chosen.episodes} --write {chosen.write}"
     return "\n".join(
         [
             "# Few rules from every run",
             "",
             f"on(A, B) among ten blocks: {chosen.episodes} episodes of second-order training, then `nppg distill`. All",
-            f'successes are exact, over all {starts:,} start states; "every start" means that no course from any of',
-            "them misses the goal, which is decided without probabilities.",
+            f"successes are exact, over all {starts:,} start states. 'Every start': no course from any of them misses",
+            "the goal, which is decided without probabilities. The seconds of distilling include those of listing the",
+            "classes of states.",
             "",
-            f"`python -m benchmarks.distilled --seeds {chosen.seeds} --episodes {chosen.episodes} "
-            f"--write {chosen.write}`",
+            f"`python -m benchmarks.distilled {options}`",
             "",
             "| seed | trees | success | greedy | rules | success of the rules, greedy | training, s | distilling, s |",
             "|---|---|---|---|---|---|---|---|",

@@ -2,7 +2,8 @@
 
 Facts that share an interchangeable object are connected. Each connected part is put into canonical form on its
 own, by colour refinement and, where that leaves objects alike, by trying each of them in turn; the form of the
-set is the sorted list of its parts' forms. Exact for every domain; quick where parts are small or irregular.
+set is the sorted list of its parts' forms. Exact for every domain; quick where parts are small or irregular, and
+where the same parts are met again: they are remembered.
 """
 
 from __future__ import annotations
@@ -10,10 +11,21 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterable
+from typing import NamedTuple
 
 from nppg.domain import Ground
 
-Form = tuple
+Form = tuple[int, ...]
+Encoded = tuple[int, tuple[Ground, ...]]  # the number of a fact's shape, which is the fact without its objects; those
+Numbered = tuple[tuple[int, tuple[int, ...]], ...]  # facts, with the objects numbered in the order of appearance
+
+
+class _Part(NamedTuple):
+    """A connected part: the number of its form, how many objects it has, and how many symmetries."""
+
+    form: int
+    objects: int
+    symmetries: int
 
 
 class Canonizer:
@@ -22,28 +34,32 @@ class Canonizer:
     def __init__(self, objects: Iterable[Ground]):
         self.objects = frozenset(objects)
         self._shapes: dict[tuple, int] = {}
+        self._encoded: dict[Ground, Encoded] = {}
+        self._known: dict[Numbered, _Part] = {}
+        self._forms: dict[tuple, int] = {}  # of parts
 
     def form(self, facts: Iterable[Ground]) -> tuple[Form, int]:
         """The canonical form, and the number of renamings of the objects that map the set onto itself; objects that
         no fact names can be renamed among themselves."""
-        encoded = [self._encode(fact) for fact in facts]
-        parts = self._parts(encoded)
-        symmetries = math.factorial(len(self.objects.difference(*(args for _, args in encoded))))
-        forms = []
+        parts = [self._part(part) for part in _connected([self._encode(fact) for fact in facts])]
+        forms = [part.form for part in parts]
+        symmetries = math.factorial(len(self.objects) - sum(part.objects for part in parts))
         for part in parts:
-            form, own = _part_form(part)
-            forms.append(form)
-            symmetries *= own
-        for count in Counter(forms).values() if len(forms) > 1 else ():
-            symmetries *= math.factorial(count)
-        forms.sort()
-        return tuple(forms), symmetries
+            symmetries *= part.symmetries
+        if len(set(forms)) < len(forms):
+            symmetries *= math.prod(map(math.factorial, Counter(forms).values()))
+        return tuple(sorted(forms)), symmetries
 
-    def _encode(self, fact: Ground) -> tuple[int, tuple[Ground, ...]]:
-        """The number of the fact's shape, which is the fact with its objects left out, and those objects."""
+    def _encode(self, fact: Ground) -> Encoded:
+        """Those of names alone are remembered: to Python, 1 and 1.0 are the same."""
+        if (known := self._encoded.get(fact)) is not None:
+            return known
         found: list[Ground] = []
         shape = self._shape(fact, found)
-        return self._shapes.setdefault(shape, len(self._shapes)), tuple(found)
+        encoded = self._shapes.setdefault(shape, len(self._shapes)), tuple(found)
+        if all(isinstance(arg, str) for arg in (fact if isinstance(fact, tuple) else (fact,))):
+            self._encoded[fact] = encoded
+        return encoded
 
     def _shape(self, term: Ground, found: list[Ground]) -> tuple:
         if isinstance(term, tuple):
@@ -53,41 +69,47 @@ class Canonizer:
             return ()
         return (type(term).__name__, term)
 
-    @staticmethod
-    def _parts(facts: list[tuple[int, tuple[Ground, ...]]]) -> list[list[tuple[int, tuple[Ground, ...]]]]:
-        leader: dict[Ground, Ground] = {}
+    def _part(self, facts: list[Encoded]) -> _Part:
+        number: dict[Ground, int] = {}
+        numbered = tuple(
+            [(shape, tuple([number.setdefault(each, len(number)) for each in args])) for shape, args in facts]
+        )
+        part = self._known.get(numbered)
+        if part is None:
+            form, symmetries = _search(numbered, [0] * len(number))
+            part = _Part(self._forms.setdefault(form, len(self._forms)), len(number), symmetries)
+            self._known[numbered] = part
+        return part
 
-        def find(each: Ground) -> Ground:
-            while leader[each] != each:
-                leader[each] = leader[leader[each]]
-                each = leader[each]
-            return each
 
-        for _, objects in facts:
-            for each in objects:
-                leader.setdefault(each, each)
+def _connected(facts: list[Encoded]) -> Iterable[list[Encoded]]:
+    """The connected parts; facts without objects make up one of their own."""
+    leader: dict[Ground, Ground] = {}
+
+    def find(each: Ground) -> Ground:
+        while (above := leader[each]) != each:
+            leader[each] = each = leader[above]
+        return each
+
+    for _, objects in facts:
+        for each in objects:
+            leader.setdefault(each, each)
+            if each != objects[0]:
                 leader[find(each)] = find(objects[0])
-        parts: dict[Ground | None, list] = {}
-        for fact in facts:
-            parts.setdefault(find(fact[1][0]) if fact[1] else None, []).append(fact)
-        return list(parts.values())
+    parts: dict[Ground | None, list[Encoded]] = {}
+    for fact in facts:
+        parts.setdefault(find(fact[1][0]) if fact[1] else None, []).append(fact)
+    return parts.values()
 
 
-def _part_form(facts: list[tuple[int, tuple[Ground, ...]]]) -> tuple[Form, int]:
+def _search(facts: Numbered, colours: list[int]) -> tuple[tuple, int]:
     """The canonical form of one connected part, and the number of its symmetries."""
-    objects = sorted({each for _, args in facts for each in args}, key=repr)
-    number = {each: i for i, each in enumerate(objects)}
-    numbered = [(shape, tuple(number[each] for each in args)) for shape, args in facts]
-    return _search(numbered, [0] * len(objects))
-
-
-def _search(facts: list[tuple[int, tuple[int, ...]]], colours: list[int]) -> tuple[Form, int]:
     colours = _refined(facts, colours)
     cells = Counter(colours)
     if len(cells) == len(colours):
         return tuple(sorted((shape, *(colours[i] for i in args)) for shape, args in facts)), 1
     cell = min(colour for colour, size in cells.items() if size > 1)
-    best: Form | None = None
+    best: tuple | None = None
     symmetries = 0
     for i, colour in enumerate(colours):
         if colour == cell:
@@ -102,7 +124,7 @@ def _search(facts: list[tuple[int, tuple[int, ...]]], colours: list[int]) -> tup
     return best, symmetries
 
 
-def _refined(facts: list[tuple[int, tuple[int, ...]]], colours: list[int]) -> list[int]:
+def _refined(facts: Numbered, colours: list[int]) -> list[int]:
     """The coarsest colouring, at least as fine as the given one, in which objects of one colour stand in the
     same facts with objects of the same colours."""
     while True:

@@ -82,7 +82,6 @@ class Space:
         renamings = self._form(canonizer, ())[1]
         form, symmetries = self._form(canonizer, start)
         number = {form: 0}
-        seen = {start: 0}  # states whose class is known without their form
         self.states: list[State] = [start]
         self.sizes = [renamings // symmetries]
         self.status: list[str] = []
@@ -100,23 +99,21 @@ class Space:
             self.actions.append([action for action, _ in neighbours] if running else [])
             for _, outcomes in neighbours:
                 for probability, successor in outcomes:
-                    if successor not in seen:
-                        form, symmetries = self._form(canonizer, successor)
-                        if form not in number:
-                            strange = fixed.symmetric_difference(fact for fact in successor if _name(fact) in rigid)
-                            if strange:
-                                return _name(strange.pop())
-                            if len(number) == self.limit:
-                                raise NppgError(
-                                    f"{self.domain.path}: more than {self.limit} classes of states; evaluate on samples"
-                                )
-                            number[form] = len(self.states)
-                            self.states.append(successor)
-                            self.sizes.append(renamings // symmetries)
-                        seen[successor] = number[form]
+                    form, symmetries = self._form(canonizer, successor)
+                    if form not in number:
+                        strange = fixed.symmetric_difference(fact for fact in successor if _name(fact) in rigid)
+                        if strange:
+                            return _name(strange.pop())
+                        if len(number) == self.limit:
+                            raise NppgError(
+                                f"{self.domain.path}: more than {self.limit} classes of states; evaluate on samples"
+                            )
+                        number[form] = len(self.states)
+                        self.states.append(successor)
+                        self.sizes.append(renamings // symmetries)
                     if running:
                         origin.append(pairs)
-                        target.append(seen[successor])
+                        target.append(number[form])
                         weight.append(probability)
                 pairs += running
         counts = [len(actions) for actions in self.actions]

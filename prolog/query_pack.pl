@@ -34,7 +34,7 @@ runs once, and a test that has succeeded is not tried again.
     tables/1,
     state/3,                     % Table, Number, Facts
     example/4,                   % Table, Number, State, Roots
-    words/3.                     % Table, Kind, Words: of word(Key, Positions), sorted
+    words/3.                     % Table, Kind, Words: of word(Key, Arguments), sorted
 tables(0).
 
 %!  new_table(+Module, +Kinds, +Goal, -Table) is det.
@@ -90,7 +90,8 @@ add_arity([_, Arity], Sum0, Sum) :-
 %
 %   Compiles the tests of a group, which replace those it had. Group is [Number, Positions]: the positions of
 %   the root variables that it is about. Words is a list of lists of at most 60 tests, a test a list of
-%   literals as data. Groups are numbered from 0, and new ones come behind the others.
+%   literals as data. Groups are numbered from 0, and new ones come behind the others. Where a group is about all
+%   arguments of the action, no other action has its answers: its words have `all` in place of the positions.
 
 set_tests(Table, Kind, [Number, Positions], Words) :-
     root_count(Table, Count),
@@ -100,14 +101,20 @@ set_tests(Table, Kind, [Number, Positions], Words) :-
     ->  true
     ;   Old = []
     ),
-    exclude(of_group(Positions), Old, Others),
+    layout(Table, _, Kinds, _),
+    nth0(Kind, Kinds, [_, Arity]),
+    (   Arity > 0, length(Positions, Arity)
+    ->  Arguments = all
+    ;   Arguments = Positions
+    ),
+    exclude(of_group(Arguments), Old, Others),
     Last is End-1,
-    findall(word(Own, Positions), between(Key, Last, Own), New),
+    findall(word(Own, Arguments), between(Key, Last, Own), New),
     append(Others, New, All),
     sort(All, Sorted),
     assertz(words(Table, Kind, Sorted)).
 
-of_group(Positions, word(_, Positions)).
+of_group(Arguments, word(_, Arguments)).
 
 set_word(Table, Count, Tests, Key, Next) :-
     functor(Roots, roots, Count),
@@ -213,9 +220,19 @@ of_kind([Kind|Kinds], [Roots|AllRoots], Wanted, Own) :-
 
 group_words([], _, _) -->
     [].
-group_words([word(Key, Positions)|Words], AllRoots, Table) -->
-    answers(AllRoots, Key, Positions, Table, []),
+group_words([word(Key, Arguments)|Words], AllRoots, Table) -->
+    (   { Arguments == all }
+    ->  answers(AllRoots, Key, Table)
+    ;   answers(AllRoots, Key, Arguments, Table, [])
+    ),
     group_words(Words, AllRoots, Table).
+
+answers([], _, _) -->
+    [].
+answers([Roots|AllRoots], Key, Table) -->
+    { Table:'$row'(Key, Roots, Word) },
+    [Word],
+    answers(AllRoots, Key, Table).
 
 %   A word is asked once for all actions that agree in the arguments that it is about.
 

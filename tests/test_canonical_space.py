@@ -186,6 +186,26 @@ def test_states_may_leave_objects_unnamed(tmp_path) -> None:
     assert space.lengths() == {1: 4, 2: 6, 3: 4, 4: 1}
 
 
+EQUAL_TO_PYTHON = """
+:- module(reals, []).
+:- fluent at/1.
+:- uniform_start.
+start([at(1)]).
+goal :- at(X), float(X).
+action(same).
+effect(same, [at(X)], [at(Y)]) :- at(X), Y is X * 1.0.
+horizon(1).
+"""
+
+
+def test_whole_and_real_numbers_are_not_the_same(tmp_path) -> None:
+    (tmp_path / "reals.pl").write_text(EQUAL_TO_PYTHON)
+    space = Space(Domain(tmp_path / "reals.pl"))
+    assert space.states == [(("at", 1),), (("at", 1.0),)] and space.status == ["running", "goal"]
+    canonizer = Canonizer(["a"])
+    assert canonizer.form([("at", 1)]) != canonizer.form([("at", 1.0)])
+
+
 def test_what_has_no_exact_space_is_refused(delivery: Domain, blocks: Domain) -> None:
     with pytest.raises(NppgError, match="uniform_start"):
         Space(delivery)
