@@ -463,11 +463,17 @@ fact(Module, Fact) :-
     proper(Fact).
 
 must_be_actions(Module, Source, Actions) :-
-    (   member(Action, Actions), \+ ( callable(Action), proper(Action) )
-    ->  defect(Action, Defect),
+    (   all_actions(Actions), proper(Actions)
+    ->  true
+    ;   member(Action, Actions), \+ ( callable(Action), proper(Action) ),
+        defect(Action, Defect),
         fault(Module:Source, 'gave ~w, which is no action~w,'-[Action, Defect])
-    ;   true
     ).
+
+all_actions([]).
+all_actions([Action|Actions]) :-
+    callable(Action),
+    all_actions(Actions).
 
 %   What can be compared, stored and handed to Python: finite, ground, made of names, integers and floats.
 
@@ -478,25 +484,24 @@ proper(Term) :-
 
 plain(Term) :-
     (   compound(Term)
-    ->  compound_name_arity(Term, _, Arity),
-        plain_arguments(Arity, Term)
-    ;   atom(Term)
-    ->  true
+    ->  compound_name_arguments(Term, _, Args),
+        all_plain(Args)
     ;   integer(Term)
     ->  true
     ;   float(Term)
     ->  Term =:= Term
+    ;   atom(Term)
+    ->  true
     ;   Term == []
     ).
 
-plain_arguments(N, Term) :-
-    (   N =:= 0
+all_plain([]).
+all_plain([Term|Terms]) :-
+    (   atom(Term)
     ->  true
-    ;   arg(N, Term, Arg),
-        plain(Arg),
-        Next is N-1,
-        plain_arguments(Next, Term)
-    ).
+    ;   plain(Term)
+    ),
+    all_plain(Terms).
 
 defect(Term, Text) :-
     (   \+ ground(Term)

@@ -7,7 +7,6 @@
             forget/1             % +Module               det
           ]).
 
-:- use_module(library(lists), [member/2]).
 :- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
 
 /** <module> The current interpretation
@@ -31,14 +30,27 @@ interpret(Module, Facts) :-
     interpretation(Module, Old),
     ord_subtract(Old, Facts, Gone),
     ord_subtract(Facts, Old, New),
-    forall(member(Fact, Gone), ignore(retract(Module:Fact))),
-    forall(member(Fact, New), assertz(Module:Fact)),
+    retract_all(Gone, Module),
+    assertz_all(New, Module),
     retractall(current(Module, _)),
     assertz(current(Module, Facts)),
     (   tabling(Module)
     ->  abolish_module_tables(Module)
     ;   true
     ).
+
+retract_all([], _).
+retract_all([Fact|Facts], Module) :-
+    (   retract(Module:Fact)
+    ->  true
+    ;   true
+    ),
+    retract_all(Facts, Module).
+
+assertz_all([], _).
+assertz_all([Fact|Facts], Module) :-
+    assertz(Module:Fact),
+    assertz_all(Facts, Module).
 
 change(Module, Delete, Add) :-
     interpretation(Module, Old),

@@ -1,6 +1,8 @@
 :- module(nppg_terms,
           [ encode/2,            % +Ground, -Data                 det
+            encode_all/2,        % +Grounds, -DataList            det
             decode/2,            % +Data, -Ground                 det
+            decode_all/2,        % +DataList, -Grounds            det
             literal/3,           % +Data, +Variables, -Literal    det
             literals/3,          % +DataList, +Variables, -Literals  det
             conjunction/2        % +Literals, -Goal               det
@@ -15,39 +17,51 @@ argument is the number of a variable or a list [Constant].
 */
 
 encode(Term, Data) :-
-    (   Term == []
+    (   compound(Term)
+    ->  compound_name_arguments(Term, Name, Args),
+        Data = [Name|Encoded],
+        encode_all(Args, Encoded)
+    ;   Term == []
     ->  Data = ['[]']
-    ;   atomic(Term)
-    ->  Data = Term
-    ;   compound_name_arguments(Term, Name, Args),
-        maplist(encode, Args, Encoded),
-        Data = [Name|Encoded]
+    ;   Data = Term
     ).
+
+encode_all([], []).
+encode_all([Term|Terms], [Data|Rest]) :-
+    encode(Term, Data),
+    encode_all(Terms, Rest).
 
 decode(Data, Term) :-
     (   atomic(Data)
     ->  Term = Data
     ;   (   Data = [Name|Encoded]
         ->  true
-        ;   Data =.. [-, Name|Encoded]
+        ;   compound_name_arguments(Data, -, [Name|Encoded])
         ),
         (   Name == '[]', Encoded == []
         ->  Term = []
-        ;   maplist(decode, Encoded, Args),
+        ;   decode_all(Encoded, Args),
             compound_name_arguments(Term, Name, Args)
         )
     ).
 
+decode_all([], []).
+decode_all([Data|Rest], [Term|Terms]) :-
+    decode(Data, Term),
+    decode_all(Rest, Terms).
+
 literal([Name|Data], Variables, Literal) :-
-    maplist(argument(Variables), Data, Args),
+    arguments(Data, Variables, Args),
     Literal =.. [Name|Args].
 
-argument(Variables, Data, Arg) :-
+arguments([], _, []).
+arguments([Data|Rest], Variables, [Arg|Args]) :-
     (   Data = [Constant]
     ->  Arg = Constant
     ;   N is Data+1,
         arg(N, Variables, Arg)
-    ).
+    ),
+    arguments(Rest, Variables, Args).
 
 literals([], _, []).
 literals([Data|Rest], Variables, [Literal|Literals]) :-
