@@ -42,8 +42,8 @@ class _Groups:
             self.words += -(-len(columns) // WORD)
 
     def rows(self, words: list[int], count: int) -> np.ndarray:
-        """The answers to all columns in the words of `count` actions."""
-        bits = _bits(words, count) if self.words else np.zeros((count, _BITS), bool)
+        """The answers to all columns; of each word in turn, `words` has that of every one of `count` actions."""
+        bits = _bits(np.array(words, "<i8").reshape(-1, count).T) if words else np.zeros((count, _BITS), bool)
         result = bits.take(self._places, axis=1)
         if self.always:
             result[:, self.always] = True
@@ -119,12 +119,12 @@ class TestTable:
         if len(set(kinds)) == 1:
             return self._groups[kinds[0]].rows(words, len(actions))
         result = np.empty((len(actions), len(self)), bool)
-        ends = np.cumsum([self._groups[kind].words for kind in kinds])
-        for kind in set(kinds):
-            groups = self._groups[kind]
+        start = 0
+        for kind in sorted(set(kinds)):
             members = np.flatnonzero(np.array(kinds) == kind)
-            own = [word for i in members for word in words[ends[i] - groups.words : ends[i]]]
-            result[members] = groups.rows(own, len(members))
+            end = start + self._groups[kind].words * len(members)
+            result[members] = self._groups[kind].rows(words[start:end], len(members))
+            start = end
         return result
 
 
@@ -133,9 +133,9 @@ def encoded(query: Query) -> list:
     return [[name, *(arg.index if isinstance(arg, Var) else [arg] for arg in args)] for name, args in query]
 
 
-def _bits(words: list[int], rows: int) -> np.ndarray:
+def _bits(words: np.ndarray) -> np.ndarray:
     """Unpacks the words of each row, in order, to booleans of shape (rows, 64 * words per row)."""
-    array = np.array(words, dtype="<i8").view(np.uint8).reshape(rows, -1)
+    array = np.ascontiguousarray(words).view(np.uint8)
     return np.unpackbits(array, axis=1, bitorder="little").view(bool)
 
 
@@ -203,7 +203,7 @@ class Coverage:
             [[encoded(prefix), [encoded(each.literals) for each in pack]] for prefix, pack in packs],
             members.tolist(),
         )
-        bits = _bits(words, len(members)).reshape(len(members), len(packs), _BITS)
+        bits = _bits(np.array(words, "<i8").reshape(len(members), -1)).reshape(len(members), len(packs), _BITS)
         answers = {}
         for p, (_, pack) in enumerate(packs):
             for i, each in enumerate(pack):

@@ -7,8 +7,8 @@
             coverage/4           % +Table, +Packs, +Examples, -Words          det
           ]).
 
-:- use_module(library(apply), [foldl/4, maplist/4]).
-:- use_module(library(lists), [append/2, append/3, member/2, memberchk/2, nth0/3, selectchk/3]).
+:- use_module(library(apply), [exclude/3, foldl/4, maplist/4]).
+:- use_module(library(lists), [append/2, append/3, member/2, memberchk/2, nth0/3]).
 :- use_module(domain).
 :- use_module(guard).
 :- use_module(interpretation).
@@ -34,7 +34,7 @@ runs once, and a test that has succeeded is not tried again.
     tables/1,
     state/3,                     % Table, Number, Facts
     example/4,                   % Table, Number, State, Roots
-    groups/3.                    % Table, Kind, Groups: of group(Key, End, Positions)
+    words/3.                     % Table, Kind, Words: of word(Key, Positions), sorted
 tables(0).
 
 %!  new_table(+Module, +Kinds, +Goal, -Table) is det.
@@ -71,7 +71,7 @@ template([Name, Arity], Template, Args) :-
 drop_table(Table) :-
     retractall(layout(Table, _, _, _)),
     retractall(roots(Table, _, _, _, _)),
-    retractall(groups(Table, _, _)),
+    retractall(words(Table, _, _)),
     drop_examples(Table),
     retractall(Table:'$row'(_, _, _)).
 
@@ -96,16 +96,18 @@ set_tests(Table, Kind, [Number, Positions], Words) :-
     root_count(Table, Count),
     Key is (Kind*1000 + Number)*1000,
     foldl(set_word(Table, Count), Words, Key, End),
-    (   retract(groups(Table, Kind, Old))
+    (   retract(words(Table, Kind, Old))
     ->  true
     ;   Old = []
     ),
-    (   selectchk(group(Key, _, _), Old, Others)
-    ->  true
-    ;   Others = Old
-    ),
-    sort([group(Key, End, Positions)|Others], Groups),
-    assertz(groups(Table, Kind, Groups)).
+    exclude(of_group(Positions), Old, Others),
+    Last is End-1,
+    findall(word(Own, Positions), between(Key, Last, Own), New),
+    append(Others, New, All),
+    sort(All, Sorted),
+    assertz(words(Table, Kind, Sorted)).
+
+of_group(Positions, word(_, Positions)).
 
 set_word(Table, Count, Tests, Key, Next) :-
     functor(Roots, roots, Count),
@@ -172,48 +174,69 @@ goal_values(Table, Values) :-
 
 %!  rows(+Table, +Actions, -Kinds, -Words) is det.
 %
-%   The answers to all tests of the table for actions of the current state: the kind of each action, and
-%   the words of all actions in one list.
+%   The answers to all tests of the table for actions of the current state: the kind of each action, and the words,
+%   those of one kind after those of another; of a kind, the first word of all its actions, then the second, and so on.
 
 rows(Table, Actions, Kinds, Words) :-
     goal_values(Table, GoalValues),
-    maplist(action_roots(Table, GoalValues), Actions, Kinds, AllRoots),
+    kinds_and_roots(Actions, Table, GoalValues, Kinds, AllRoots),
     layout(Table, Module, _, _),
-    catch(guarded(Module:test/0, action_rows(Kinds, AllRoots, Table, [], Words)),
+    sort(Kinds, Present),
+    catch(guarded(Module:test/0, kind_words(Present, Kinds, AllRoots, Table, Words, [])),
           nppg_fault(_, Fault),
           blame_table(Table, Kinds, AllRoots, Fault)).
 
-action_rows([], [], _, _, []).
-action_rows([Kind|Kinds], [Roots|AllRoots], Table, Asked0, Words) :-
-    (   groups(Table, Kind, Groups)
-    ->  group_rows(Groups, Table, Roots, Asked0, Asked, Words, Rest)
-    ;   Asked = Asked0,
-        Rest = Words
-    ),
-    action_rows(Kinds, AllRoots, Table, Asked, Rest).
+kinds_and_roots([], _, _, [], []).
+kinds_and_roots([Action|Actions], Table, GoalValues, [Kind|Kinds], [Roots|AllRoots]) :-
+    action_roots(Table, GoalValues, Action, Kind, Roots),
+    kinds_and_roots(Actions, Table, GoalValues, Kinds, AllRoots).
 
-group_rows([], _, _, Asked, Asked, Words, Words).
-group_rows([group(Key, End, Positions)|Groups], Table, Roots, Asked0, Asked, Words, Rest) :-
-    projection(Positions, Roots, Values),
-    (   memberchk(asked(Key, Values, Own), Asked0)
-    ->  Asked1 = Asked0
-    ;   words(Key, End, Table, Roots, Own),
-        Asked1 = [asked(Key, Values, Own)|Asked0]
+kind_words([], _, _, _) -->
+    [].
+kind_words([Kind|Present], Kinds, AllRoots, Table) -->
+    { of_kind(Kinds, AllRoots, Kind, Own),
+      (   words(Table, Kind, Words)
+      ->  true
+      ;   Words = []
+      )
+    },
+    group_words(Words, Own, Table),
+    kind_words(Present, Kinds, AllRoots, Table).
+
+of_kind([], [], _, []).
+of_kind([Kind|Kinds], [Roots|AllRoots], Wanted, Own) :-
+    (   Kind == Wanted
+    ->  Own = [Roots|Rest]
+    ;   Own = Rest
     ),
-    append(Own, Later, Words),
-    group_rows(Groups, Table, Roots, Asked1, Asked, Later, Rest).
+    of_kind(Kinds, AllRoots, Wanted, Rest).
+
+group_words([], _, _) -->
+    [].
+group_words([word(Key, Positions)|Words], AllRoots, Table) -->
+    answers(AllRoots, Key, Positions, Table, []),
+    group_words(Words, AllRoots, Table).
+
+%   A word is asked once for all actions that agree in the arguments that it is about.
+
+answers([], _, _, _, _) -->
+    [].
+answers([Roots|AllRoots], Key, Positions, Table, Asked) -->
+    { projection(Positions, Roots, Values),
+      (   memberchk(Values-Known, Asked)
+      ->  Word = Known,
+          Now = Asked
+      ;   Table:'$row'(Key, Roots, Word),
+          Now = [Values-Word|Asked]
+      )
+    },
+    [Word],
+    answers(AllRoots, Key, Positions, Table, Now).
 
 projection([], _, []).
 projection([Position|Positions], Roots, [Value|Values]) :-
     arg(Position, Roots, Value),
     projection(Positions, Roots, Values).
-
-words(End, End, _, _, []) :-
-    !.
-words(Key, End, Table, Roots, [Word|Words]) :-
-    Table:'$row'(Key, Roots, Word),
-    Next is Key+1,
-    words(Next, End, Table, Roots, Words).
 
 %   Where asking does not finish, the single test at fault is looked for, so that the message can name its
 %   predicate.
@@ -222,10 +245,8 @@ blame_table(Table, Kinds, AllRoots, Fault) :-
     layout(Table, Module, _, _),
     (   nth0(I, Kinds, Kind),
         nth0(I, AllRoots, Roots),
-        groups(Table, Kind, Groups),
-        member(group(Key, End, _), Groups),
-        Last is End-1,
-        between(Key, Last, Word),
+        words(Table, Kind, Words),
+        member(word(Word, _), Words),
         catch(( blame(Module, Table:'$row'(Word, Roots, _), Roots), fail ), Blamed, true)
     ->  throw(Blamed)
     ;   throw(nppg_fault(Module:test/0, Fault))
