@@ -63,6 +63,7 @@ class Domain:
         self.has_expert: bool = description["expert"] == "true"
         self.has_goal: bool = description["goal"] == "true"
         self._current: State | None = None
+        self._situation: list | None = None  # that of the current state, where it is known
 
     @property
     def hash(self) -> str:
@@ -72,17 +73,17 @@ class Domain:
     def visit(self, state: State) -> None:
         """Makes a state the current interpretation in Prolog."""
         if state is not self._current:
-            self._current = None
+            self.forget()
             ask("visit", self.module, list(state))
             self._current = state
 
     def forget(self) -> None:
         """To be called by who makes another state current behind this object's back."""
-        self._current = None
+        self._current = self._situation = None
 
     def start(self, rng: np.random.Generator) -> State:
         """Draws a start state."""
-        self._current = None
+        self.forget()
         with randomness(rng):
             self._current = ground(ask("draw", self.module))
         return self._current
@@ -90,8 +91,8 @@ class Domain:
     def situation(self, state: State) -> Situation:
         """Whether the state ends an episode, and its legal actions in a fixed order."""
         self.visit(state)
-        status, actions = ask("situation", self.module)
-        return Situation(status, [ground(action) for action in actions])
+        status, actions = self._situation or ask("situation", self.module)
+        return Situation(status, list(ground(actions)))
 
     def horizon(self, state: State) -> int:
         """The number of steps after which an episode that starts here ends."""
@@ -104,11 +105,13 @@ class Domain:
         return [ground(action) for action in ask("expert_actions", self.module)]
 
     def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]:
-        """Takes an action: the reward, and the state that it leads to."""
+        """Takes an action: the reward, and the state that it leads to.
+
+        Nearly always that state's situation is asked for next: Prolog brings it along."""
         self.visit(state)
-        self._current = None
+        self.forget()
         with randomness(rng):
-            reward, facts = ask("act", self.module, action)
+            reward, facts, self._situation = ask("act", self.module, action)
         self._current = ground(facts)
         return reward, self._current
 

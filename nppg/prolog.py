@@ -29,10 +29,13 @@ _undisturbed = 0  # pieces of work that are not to be interrupted
 _generator: np.random.Generator | None = None
 
 
-def uniform() -> float:
-    """The next number of the generator that a domain draws from, -1 where there is none; called by
+def uniform(count: int) -> list[float] | None:
+    """The next numbers of the generator that a domain draws from, None where there is none; called by
     prolog/randomness.pl."""
-    return -1.0 if _generator is None else float(_generator.random())
+    if _generator is None:
+        return None
+    draw = _generator.random
+    return [draw() for _ in range(count)]
 
 
 @contextmanager
@@ -70,8 +73,12 @@ def ground(data: Any) -> Any:
     deep as it is long, so nothing recurs here."""
     if not isinstance(data, list):
         return data
-    if not any(isinstance(arg, list) for each in data if isinstance(each, list) for arg in each):  # as most are
-        return tuple([tuple(each) if isinstance(each, list) else each for each in data])
+    flat = tuple([tuple(each) if isinstance(each, list) else each for each in data])
+    try:
+        hash(flat)  # fails where a list is left further down, which is rare
+        return flat
+    except TypeError:
+        pass
     whole: list = []
     open_terms = [(data, whole)]
     while True:

@@ -11,6 +11,7 @@
 :- use_module(model).
 :- use_module(potential).
 :- use_module(query_pack).
+:- use_module(randomness, [without_draws/1]).
 :- use_module(report, [problems/2]).
 :- use_module(terms).
 
@@ -71,12 +72,12 @@ version(Version) :-
 
 draw(Module, Data) :-
     start(Module, Facts),
-    maplist(encode, Facts, Data).
+    encode_all(Facts, Data).
 
 %!  visit(+Module, +Data, -True) is det: makes a state current.
 
 visit(Module, Data, true) :-
-    maplist(decode, Data, Facts0),
+    decode_all(Data, Facts0),
     sort(Facts0, Facts),
     interpret(Module, Facts).
 
@@ -104,13 +105,13 @@ situation(Module, [Status, Data]) :-
         ->  fault(Module:(action/1), 'gave no legal action, though the state is neither goal nor terminal,'-[])
         ;   true
         ),
-        maplist(encode, Actions, Data)
+        encode_all(Actions, Data)
     ;   Data = []
     ).
 
 expert_actions(Module, Data) :-
     experts(Module, Actions),
-    maplist(encode, Actions, Data).
+    encode_all(Actions, Data).
 
 %!  neighbours(+Module, -Neighbours) is det.
 %
@@ -126,24 +127,29 @@ neighbours(Module, Neighbours) :-
 encoded_outcomes(Module, Action, Data) :-
     outcomes(Module, Action, Outcomes),
     findall([Probability, Facts],
-            ( member(Probability-Terms, Outcomes), maplist(encode, Terms, Facts) ),
+            ( member(Probability-Terms, Outcomes), encode_all(Terms, Facts) ),
             Data).
 
 members(Module, Predicate, Data) :-
     objects(Module, Predicate, Objects),
-    maplist(encode, Objects, Data).
+    encode_all(Objects, Data).
 
 %!  act(+Module, +Action, -Answer) is det.
 %
-%   Takes an action in the current state: [Reward, Facts] for the state that it leads to.
+%   Takes an action in the current state: [Reward, Facts, Situation] for the state that it leads to. Situation is []
+%   where asking for it goes wrong, which is to be heard only by who does ask.
 
-act(Module, ActionData, [Reward, Data]) :-
+act(Module, ActionData, [Reward, Data, Situation]) :-
     decode(ActionData, Action),
     outcomes(Module, Action, Outcomes),
     chosen(Outcomes, Facts),
     interpret(Module, Facts),
     reward(Module, Action, Reward),
-    maplist(encode, Facts, Data).
+    encode_all(Facts, Data),
+    (   catch(without_draws(situation(Module, Found)), nppg_fault(_, _), fail)
+    ->  Situation = Found
+    ;   Situation = []
+    ).
 
 chosen([_-Facts], Facts) :-
     !.
@@ -168,11 +174,11 @@ tests(Table, Kind, Group, Words, true) :-
     set_tests(Table, Kind, Group, Words).
 
 answers(Table, Data, [Kinds, Words]) :-
-    maplist(decode, Data, Actions),
+    decode_all(Data, Actions),
     rows(Table, Actions, Kinds, Words).
 
 examples(Table, StateData, ExampleData, true) :-
-    maplist(maplist(decode), StateData, States0),
+    maplist(decode_all, StateData, States0),
     maplist(sort, States0, States),
     findall([State, Action], ( member([State, Encoded], ExampleData), decode(Encoded, Action) ), Examples),
     load_examples(Table, States, Examples).

@@ -1,5 +1,6 @@
 :- module(nppg_randomness,
-          [ random/1,            % -Float                 det
+          [ without_draws/1,     % :Goal                  semidet
+            random/1,            % -Float                 det
             random_between/3,    % +Low, +High, -Integer  semidet
             random_member/2,     % -Member, +List         semidet
             random_permutation/2 % +List, -Permutation    det
@@ -12,17 +13,35 @@ comes from the NumPy generator that the caller handed over, so a seed reproduces
 */
 
 :- use_module(library(janus), [py_call/2]).
-:- use_module(library(lists), [member/2, nth0/3]).
-:- use_module(library(pairs), [pairs_values/2]).
+:- use_module(library(lists), [nth0/3]).
+:- use_module(library(pairs), [pairs_keys_values/3, pairs_values/2]).
+
+%!  without_draws(:Goal) is semidet.
+%
+%   once(Goal), in which no number can be drawn.
+
+:- meta_predicate without_draws(0).
+
+without_draws(Goal) :-
+    b_setval(nppg_draws, none),
+    call(Goal),
+    !,
+    b_setval(nppg_draws, any).
 
 %!  random(-Float) is det.
 %
 %   Uniform in [0, 1).
 
 random(Float) :-
-    py_call('nppg.prolog':uniform(), Drawn),
-    (   Drawn >= 0
-    ->  Float = Drawn
+    draws(1, [Float]).
+
+draws(0, []) :-
+    !.
+draws(Count, Floats) :-
+    (   \+ nb_current(nppg_draws, none),
+        py_call('nppg.prolog':uniform(Count), Floats),
+        Floats \== none
+    ->  true
     ;   throw(nppg_unseeded)
     ).
 
@@ -39,6 +58,8 @@ random_member(Member, List) :-
     nth0(Index, List, Member).
 
 random_permutation(List, Permutation) :-
-    findall(Key-Element, (member(Element, List), random(Key)), Keyed),
+    length(List, Length),
+    draws(Length, Floats),
+    pairs_keys_values(Keyed, Floats, List),
     keysort(Keyed, Sorted),
     pairs_values(Sorted, Permutation).
