@@ -20,8 +20,9 @@ _CHUNK = 2_000_000  # leaves that are looked up at once
 
 
 class _Arrays(NamedTuple):
-    """Nodes by number: the column a node asks, the node behind each answer (failure, success), the value of a leaf.
-    A leaf leads to itself. `roots` has one number per tree."""
+    """Every node has two places, one for either answer (failure, success), and is known by the first: at each place
+    the column that the node asks, the node behind that answer, the value of a leaf. A leaf leads to itself. `roots`
+    has one node per tree."""
 
     column: np.ndarray
     children: np.ndarray
@@ -30,15 +31,15 @@ class _Arrays(NamedTuple):
 
     def leaf_values(self, rows: np.ndarray, depth: int) -> np.ndarray:
         """The value of each tree for each row: shape (rows, trees)."""
-        node = np.broadcast_to(self.roots, (len(rows), len(self.roots)))
+        node = self.roots[None, :]
         starts = np.arange(len(rows))[:, None] * rows.shape[1]
-        answers, children = rows.ravel(), self.children.ravel()
+        answers = rows.ravel()
         for _ in range(depth):
-            node = children.take(2 * node + answers.take(starts + self.column.take(node)))
-        return self.value.take(node)
+            node = self.children.take(node + answers.take(starts + self.column.take(node)))
+        return np.broadcast_to(self.value.take(node), (len(rows), len(self.roots)))
 
     def shifted(self, offset: int) -> _Arrays:
-        """The same with node numbers from `offset` on."""
+        """The same with places from `offset` on."""
         return _Arrays(self.column, self.children + offset, self.value, self.roots + offset)
 
 
@@ -47,7 +48,7 @@ class Forest:
 
     def __init__(self) -> None:
         self._parts: list[_Arrays] = []  # one after the other they are all trees
-        self._nodes = 0
+        self._places = 0
         self._depth = 0
         self._forget(0)
 
@@ -59,8 +60,8 @@ class Forest:
     def add(self, tree: Tree, column_of: Callable[[Query], int]) -> None:
         """Adds a tree; `column_of` gives the place of a test's answer in a row."""
         arrays, depth = _arrays(tree, column_of)
-        self._parts.append(arrays.shifted(self._nodes))
-        self._nodes += len(arrays.value)
+        self._parts.append(arrays.shifted(self._places))
+        self._places += len(arrays.value)
         self._depth = max(self._depth, depth)
         size = len(self._number)
         if arrays.column.max() >= self._rows.shape[1]:  # the rows lack the answer to a new test
@@ -103,22 +104,22 @@ class Forest:
 def _arrays(tree: Tree, column_of: Callable[[Query], int]) -> tuple[_Arrays, int]:
     """A tree as arrays, and the number of answers on its longest path."""
     column: list[int] = []
-    children: list[tuple[int, int]] = []
+    children: list[int] = []
     value: list[float] = []
 
-    def node(asked: int, behind: tuple[int, int], own: float) -> int:
-        column.append(asked)
-        children.append(behind)
-        value.append(own)
-        return len(value) - 1
+    def node(asked: int, failure: int, success: int, own: float) -> int:
+        column.extend((asked, asked))
+        children.extend((failure, success))
+        value.extend((own, own))
+        return len(value) - 2
 
     def place(part: Tree) -> tuple[int, int]:
         if isinstance(part, Leaf):
-            return node(0, (len(value), len(value)), part.value), 0
+            return node(0, len(value), len(value), part.value), 0
         failure, below_failure = place(part.no)
         success, below_success = place(part.yes)
         for test in reversed(part.tests):
-            success = node(column_of(test), (failure, success), 0.0)
+            success = node(column_of(test), failure, success, 0.0)
         return success, len(part.tests) + max(below_failure, below_success)
 
     root, depth = place(tree)

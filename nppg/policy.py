@@ -95,7 +95,7 @@ def choose(probabilities: np.ndarray, rng: np.random.Generator, greedy: bool = F
     if greedy:
         best = np.flatnonzero(is_best(probabilities, probabilities.max()))
         return int(best[int(rng.random() * len(best))])
-    drawn = int(np.searchsorted(probabilities.cumsum(), rng.random(), side="right"))
+    drawn = int(probabilities.cumsum().searchsorted(rng.random(), side="right"))
     return min(drawn, len(probabilities) - 1)
 
 
