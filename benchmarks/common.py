@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from nppg import LanguageBias, train
 from nppg.domain import Action, Domain, State
+from nppg.evaluation import ExactEvaluator
+from nppg.options import Common
+from nppg.space import Space
 
 
 class Row(NamedTuple):
@@ -19,6 +23,17 @@ class Row(NamedTuple):
     compared: str = ""
     target: str = ""
     met: bool | None = None
+
+
+def successes(domain: Domain, bias: LanguageBias, options: Common, marks: Sequence[int], space: Space) -> list[float]:
+    """The exact success of one run after so many episodes; value functions act greedily."""
+    found: list[float] = []
+    judge = None
+    for iteration in train(domain, bias, options):
+        judge = judge or ExactEvaluator(iteration.policy, space)
+        while len(found) < len(marks) and iteration.episodes >= marks[len(found)]:
+            found.append(judge.evaluate().success)
+    return found
 
 
 def timed(function: Callable[[], Any]) -> tuple[float, Any]:

@@ -8,9 +8,10 @@ from __future__ import annotations
 import argparse
 from statistics import mean
 
-from nppg import Domain, LanguageBias, Options, train
-from nppg.evaluation import ExactEvaluator
+from benchmarks.common import successes
+from nppg import Domain, LanguageBias, Options
 from nppg.shipped import locate
+from nppg.space import Space
 
 MARKS = (100, 200, 300, 500)
 SETTINGS: list[tuple[str, dict]] = [
@@ -34,18 +35,12 @@ def main() -> None:
     bias = LanguageBias.load(locate("blocks_world", "language_bias", ".yaml"))
     print("| setting | " + " | ".join(f"{mark}" for mark in MARKS) + f" | worst at {MARKS[-1]} |")
     print("|---" * (len(MARKS) + 2) + "|", flush=True)
-    space = None
+    space = Space(domain)
     for name, changes in SETTINGS:
-        rows = []
-        for seed in range(chosen.first_seed, chosen.first_seed + chosen.seeds):
-            row: list[float] = []
-            judge = None
-            for iteration in train(domain, bias, Options(MARKS[-1], seed, step="second-order", **changes)):
-                judge = judge or ExactEvaluator(iteration.policy, space)
-                space = judge.space
-                while len(row) < len(MARKS) and iteration.episodes >= MARKS[len(row)]:
-                    row.append(judge.evaluate().success)
-            rows.append(row)
+        rows = [
+            successes(domain, bias, Options(MARKS[-1], seed, step="second-order", **changes), MARKS, space)
+            for seed in range(chosen.first_seed, chosen.first_seed + chosen.seeds)
+        ]
         means = " | ".join(f"{mean(column):.3f}" for column in zip(*rows, strict=True))
         print(f"| {name} | {means} | {min(row[-1] for row in rows):.3f} |", flush=True)
 

@@ -13,10 +13,10 @@ if TYPE_CHECKING:
     from nppg.errors import NppgError
     from nppg.evaluation import Evaluation, evaluate, evaluate_exactly
     from nppg.language_bias import LanguageBias
+    from nppg.learners import train
     from nppg.options import Options
     from nppg.policy import Policy
     from nppg.runs import run
-    from nppg.training import train
 
     __version__: str
 
@@ -32,7 +32,7 @@ _HOME = {
     "evaluate_exactly": "evaluation",
     "generate_episode": "episode",
     "run": "runs",
-    "train": "training",
+    "train": "learners",
 }
 __all__ = [
     "Domain",

@@ -51,6 +51,7 @@ def _tried(domain: Domain, bias: LanguageBias) -> Iterator[Problem]:
                     break
                 domain.expert_actions(state)
                 domain.picture(state)
+                domain.parts(state)
                 domain.neighbours(state)
                 table.answers(state, situation.actions)
                 _, state = domain.act(state, situation.actions[int(rng.random() * len(situation.actions))], rng)

@@ -6,18 +6,21 @@ import argparse
 import json
 import signal
 import sys
+import time
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, fields, replace
+from dataclasses import Field, asdict, fields, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from nppg import __version__
 from nppg.errors import NppgError, Problem
+from nppg.experiments import EXPERIMENTS
 from nppg.language_bias import LanguageBias, TreeLimits
-from nppg.options import Options, at_least
+from nppg.learners import LEARNERS
+from nppg.options import Common, Options, at_least
 from nppg.shipped import locate, shipped
 
 if TYPE_CHECKING:
@@ -36,7 +39,8 @@ _RENAMED = {"min_examples": "min_leaf"}  # the option's name where another optio
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs one command. Returns the exit status: 0, 2 after a mistake, 130 after Ctrl-C."""
-    options = _parser().parse_args(arguments)
+    arguments = sys.argv[1:] if arguments is None else arguments
+    options = _parser().parse_args(arguments, argparse.Namespace(arguments=arguments))
     try:
         if options.command == "doctor":
             return _doctor()
@@ -83,6 +87,8 @@ def _parser() -> argparse.ArgumentParser:
     distill = command("distill", _distill, "write few rules that choose like a policy of many trees")
     for each in (prove, distill):
         each.add_argument("model", type=Path, help="a model file")
+    for each in (distill, show):
+        each.add_argument("--explain", action="store_true", help="say in plain English what each rule does")
     for each in (prove,):
         each.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a parameter of the domain")
     prove.add_argument("--stochastic", action="store_true", help="about the stochastic policy, not the greedy one")
@@ -99,15 +105,24 @@ def _parser() -> argparse.ArgumentParser:
     distill.add_argument(
         "--output", type=Path, metavar="FILE", help="the rules' model file (default: MODEL's folder, rules.pl)"
     )
+    reproduce = command("reproduce", _reproduce, "do an experiment of the paper: its runs, its figure, a report")
+    reproduce.add_argument("experiment", choices=EXPERIMENTS)
+    reproduce.add_argument("--runs", type=int, default=10, help="runs of each learner, seeds from 0 (default: 10)")
+    reproduce.add_argument("--episodes", type=int, default=2000, help="(default: 2000)")
+    reproduce.add_argument("--jobs", type=int, help="runs at a time (default: the cores there are)")
+    reproduce.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a parameter of the domain")
+    reproduce.add_argument(
+        "--output",
+        type=Path,
+        default=Path("runs/reproduce"),
+        help="folder for all; finished runs that it has are not done again (default: runs/reproduce)",
+    )
     new = command("new", _new, "write a commented domain and language bias to start from")
     new.add_argument("name")
 
-    for field in fields(Options):
-        _add_option(train, field.name, type(field.default), field.default, field.metadata)
-    for field in fields(TreeLimits):
-        help = f"{_LIMITS[field.name]} (default: the language bias's)"
-        name = _RENAMED.get(field.name, field.name)
-        _add_option(train, name, type(field.default), None, {"help": help})
+    train.add_argument("--learner", choices=LEARNERS, default=Options.learner, help="(default: nppg)")
+    for name, owners in _training_options().items():
+        _add_option(train, name, owners)
     train.add_argument("--output", type=Path, help="folder for the files (default: runs/DOMAIN)")
     train.add_argument(
         "--evaluate-every",
@@ -132,22 +147,55 @@ def _parser() -> argparse.ArgumentParser:
     evaluate.add_argument("--json", action="store_true", help="print one JSON object")
     for each in (evaluate, play):
         each.add_argument("--seed", type=int, default=0)
+    show.add_argument("--bias", help="whose sentences explain (default: the bias that the model was trained with)")
     show.add_argument("--tree", type=int, metavar="N", help="this tree alone, from 1")
     show.add_argument("--format", choices=("prolog", "dot"), default="prolog")
     return parser
 
 
-def _add_option(parser: argparse.ArgumentParser, name: str, kind: type, default: object, about: Mapping) -> None:
-    shown = "" if default is None else f" (default: {default})"
+def _training_options() -> dict[str, dict[str, Field]]:
+    """The options of `train` by name, each with its learners."""
+    found: dict[str, dict[str, Field]] = {}
+    for learner, options in LEARNERS.items():
+        for field in fields(options):
+            found.setdefault(field.name, {})[learner] = field
+    for field in fields(TreeLimits):
+        found.setdefault(_RENAMED.get(field.name, field.name), {})[Options.learner] = field
+    return found
+
+
+def _add_option(parser: argparse.ArgumentParser, name: str, owners: Mapping[str, Field]) -> None:
+    defaults = {
+        learner: str(each.default) if each.metadata else "the language bias's" for learner, each in owners.items()
+    }
+    if len(set(defaults.values())) == 1:
+        shown = next(iter(defaults.values()))
+    else:
+        shown = ", ".join(f"{learner} {default}" for learner, default in defaults.items())
+    only = "" if len(owners) == len(LEARNERS) else f"{', '.join(owners)}: "
+    first = next(iter(owners.values()))
+    choices = first.metadata.get("choices")
     parser.add_argument(
         f"--{name.replace('_', '-')}",
         dest=name,
-        type=kind,
-        default=default,
-        choices=about.get("choices"),
-        metavar=None if "choices" in about else kind.__name__.upper(),
-        help=about["help"] + shown,
+        type=type(first.default),
+        choices=choices,
+        metavar=None if choices else type(first.default).__name__.upper(),
+        help=f"{only}{first.metadata.get('help') or _LIMITS[first.name]} (default: {shown})",
     )
+
+
+def _chosen_options(options: argparse.Namespace) -> dict[str, Any]:
+    """Those that were given. Raises NppgError for those that the learner does not have."""
+    given: dict[str, Any] = {}
+    for name, owners in _training_options().items():
+        value = getattr(options, name)
+        if value is not None and options.learner not in owners:
+            raise NppgError(
+                f"--{name.replace('_', '-')} is no option of the learner {options.learner}, but of {', '.join(owners)}"
+            )
+        given |= {} if value is None else {name: value}
+    return given
 
 
 def _parameters(settings: list[str]) -> dict[str, int | float | str]:
@@ -176,19 +224,26 @@ def _domain(options: argparse.Namespace) -> Domain:
 
 
 def _bias_path(options: argparse.Namespace) -> Path:
-    """The file given by --bias, or that of the domain's name: beside the domain, else among the shipped ones."""
+    """The file given by --bias, or that of the domain's name: beside the domain, else among the shipped ones.
+
+    Where a parameter is set to the name of another bias in that folder, the user is to choose."""
     if options.bias:
         return locate(options.bias, "language_bias", ".yaml")
     domain = locate(options.domain, "domains", ".pl")
-    beside = domain.with_suffix(".yaml")
-    if beside.is_file():
-        return beside
-    try:
-        return locate(domain.stem, "language_bias", ".yaml")
-    except NppgError:
-        raise NppgError(
-            [Problem(str(beside), 0, 0, "there is no language bias of this name; give one by --bias")]
-        ) from None
+    path = domain.with_suffix(".yaml")
+    if not path.is_file():
+        try:
+            path = locate(domain.stem, "language_bias", ".yaml")
+        except NppgError:
+            raise NppgError(
+                [Problem(str(path), 0, 0, "there is no language bias of this name; give one by --bias")]
+            ) from None
+    for setting in options.set:
+        other = path.parent / f"{setting.partition('=')[2]}.yaml"
+        if other in path.parent.glob("*.yaml") and other != path:
+            own, default = (each.stem if each.parent == shipped("language_bias") else each for each in (other, path))
+            raise NppgError(f"{setting} has a language bias of its own: give --bias {own}, or --bias {default}")
+    return path
 
 
 def _doctor() -> int:
@@ -212,13 +267,14 @@ def _check(options: argparse.Namespace) -> int:
 def _train(options: argparse.Namespace) -> int:
     from nppg.runs import run
 
-    chosen = Options(**{field.name: getattr(options, field.name) for field in fields(Options)})
+    given = _chosen_options(options)
+    kind = LEARNERS[options.learner]
+    chosen = kind(**{field.name: given.pop(field.name) for field in fields(kind) if field.name in given})
     at_least("evaluate-every", options.evaluate_every, 0)
     at_least("starts", options.starts, 1)
     domain, bias = _domain(options), LanguageBias.load(_bias_path(options))
-    limits = {field.name: getattr(options, _RENAMED.get(field.name, field.name)) for field in fields(TreeLimits)}
-    given = {name: value for name, value in limits.items() if value is not None}
-    bias = replace(bias, tree=replace(bias.tree, **given))
+    limits = {field.name: _RENAMED.get(field.name, field.name) for field in fields(TreeLimits)}
+    bias = replace(bias, tree=replace(bias.tree, **{name: given[own] for name, own in limits.items() if own in given}))
     output = options.output or Path("runs") / domain.name
     report = (lambda progress: None) if options.quiet else _reporter(chosen)
     until = options.until_success
@@ -230,8 +286,10 @@ def _train(options: argparse.Namespace) -> int:
     return 0
 
 
-def _reporter(options: Options) -> Callable[[Progress], None]:
+def _reporter(options: Common) -> Callable[[Progress], None]:
     """A progress bar on a terminal with tqdm, plain lines elsewhere."""
+    from nppg.runs import sizes
+
     bar = None
     if sys.stderr.isatty():
         try:
@@ -245,17 +303,38 @@ def _reporter(options: Options) -> Callable[[Progress], None]:
         point = progress.point
         if bar is not None:
             bar.update(progress.episodes - bar.n)
-            bar.set_postfix(trees=len(progress.policy.trees), lately=f"{progress.recent:.2f}")
+            bar.set_postfix(progress.policy.sizes(), lately=f"{progress.recent:.2f}")
             if progress.ended:
                 bar.close()
         elif point is not None:
             print(
-                f"episode {point.episode:5d}  trees {point.trees:4d}  success {point.success:.4f} "
+                f"episode {point.episode:5d}  {sizes(progress.policy)}  success {point.success:.4f} "
                 f"(greedy {point.greedy_success:.4f})  {point.seconds:.1f} s",
                 flush=True,
             )
 
     return show
+
+
+def _reproduce(options: argparse.Namespace) -> int:
+    from nppg import figures
+    from nppg.reproduce import available_cores, do, jobs
+
+    processes = available_cores() if options.jobs is None else options.jobs
+    for name, value in (("runs", options.runs), ("jobs", processes)):
+        at_least(name, value, 1)
+    experiment = EXPERIMENTS[options.experiment]
+    wanted = jobs(experiment, options.runs, options.episodes, _parameters(options.set), options.output)
+    begin, done = time.perf_counter(), 0
+    for count, (job, seconds) in enumerate(do(wanted, processes), 1):
+        done += seconds > 0
+        how = f"{seconds:.0f} s" if seconds else "done before"
+        print(f"{count:3d} of {len(wanted)}: {job.folder.name}, {job.result()}, {how}", flush=True)
+    command = " ".join(["nppg", "reproduce", *(options.arguments[1:])])
+    took = time.perf_counter() - begin if done else 0.0
+    for path in figures.write(experiment.name, wanted, options.output, command, took):
+        print(f"written: {path}")
+    return 0
 
 
 def _load(options: argparse.Namespace) -> Policy:
@@ -323,18 +402,22 @@ def _prove(options: argparse.Namespace) -> int:
 def _distill(options: argparse.Namespace) -> int:
     from nppg.distill import distill
     from nppg.evaluation import evaluate, evaluate_exactly
+    from nppg.explain import explained, sentences
 
     at_least("max-rules", options.max_rules, 1)
     policy = _load(options)
-    if not options.bias and "bias" not in policy.facts:
-        raise NppgError([Problem(str(options.model), 0, 0, "the model names no language bias; give one by --bias")])
-    bias = LanguageBias.load(locate(options.bias or policy.bias.file, "language_bias", ".yaml"))
+    bias = _bias_of(policy, options)
     rules = distill(policy, bias, options.max_rules)
     exact = policy.domain.uniform_start and policy.domain.has_goal
     result = evaluate_exactly(rules, greedy=True) if exact else evaluate(rules, seed=1, greedy=True)
     output = options.output or options.model.with_name("rules.pl")
-    rules.save(output, [("success", result.success), ("starts", result.starts), ("exact", int(result.exact))])
-    print(*rules.rules(1), sep="\n")
+    beside = Path(bias.file).resolve().parent == output.resolve().parent
+    facts = [
+        *([("bias", Path(bias.file).name), ("bias_sha256", bias.hash)] if beside else []),
+        *(("success", result.success), ("starts", result.starts), ("exact", int(result.exact))),
+    ]
+    rules.save(output, facts, [sentences(rules, 1, bias)] if options.explain else ())
+    print(*(explained(rules, 1, bias) if options.explain else rules.rules(1)), sep="\n")
     over = "all" if result.exact else "sampled"
     print(
         f"success of these rules over {over} {result.starts:,} start states: {result.success:.6f}; written to {output}"
@@ -342,18 +425,30 @@ def _distill(options: argparse.Namespace) -> int:
     return 0
 
 
+def _bias_of(policy: Policy, options: argparse.Namespace) -> LanguageBias:
+    """The file given by --bias, or the one that the model names."""
+    if not options.bias and "bias" not in policy.facts:
+        raise NppgError([Problem(str(options.model), 0, 0, "the model names no language bias; give one by --bias")])
+    return LanguageBias.load(locate(options.bias or policy.bias.file, "language_bias", ".yaml"))
+
+
 def _show(options: argparse.Namespace) -> int:
     from nppg.dot import dot
+    from nppg.explain import explained
 
+    if options.explain and options.format == "dot":
+        raise NppgError("--explain is about rules, which --format dot does not show")
     policy = _load(options)
     count = len(policy.trees)
     if options.tree is not None and not 1 <= options.tree <= count:
         raise NppgError(f"there is no tree {options.tree}: the model has {count}")
+    bias = _bias_of(policy, options) if options.explain else None
     for number in range(1, count + 1) if options.tree is None else [options.tree]:
         if options.format == "dot":
             print(dot(policy.trees[number - 1], policy.bias, f"tree_{number}"))
         else:
-            print(f"% tree {number}: {policy.comments[number - 1]}", *policy.rules(number), "", sep="\n")
+            rules = explained(policy, number, bias) if bias else policy.rules(number)
+            print(f"% tree {number}: {policy.comments[number - 1]}", *rules, "", sep="\n")
     return 0
 
 

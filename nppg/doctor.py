@@ -72,6 +72,7 @@ def _checks() -> Iterator[Check]:
         yield _probe(linked)
     yield from map(_shipped, ("prolog", "domains", "language_bias"))
     yield _extra("matplotlib", "plot", "learning curves as pictures")
+    yield _extra("scipy", "rrl", "the distance of RIB and TRENDI")
     yield _extra("tqdm", "progress", "progress bars")
 
 

@@ -62,6 +62,7 @@ class Domain:
         self.interchangeable: list[str] = description["interchangeable"]
         self.has_expert: bool = description["expert"] == "true"
         self.has_goal: bool = description["goal"] == "true"
+        self.has_parts: bool = description["parts"] == "true"
         self._current: State | None = None
         self._situation: list | None = None  # that of the current state, where it is known
 
@@ -127,6 +128,18 @@ class Domain:
         """The state drawn for people, line by line."""
         self.visit(state)
         return ask("drawing", self.module)
+
+    def parts(self, state: State) -> tuple[tuple[Ground, ...], ...]:
+        """The sequences of terms that two states are compared by: what the domain's parts/1 says, else the facts."""
+        if not self.has_parts:
+            return tuple(fact if isinstance(fact, tuple) else (fact,) for fact in state)
+        self.visit(state)
+        return ground(ask("parts_of", self.module))
+
+    def binding(self, state: State, predicate: str, arity: int) -> tuple[Ground, ...]:
+        """The arguments of a predicate's answer, which must be the only one: what the goal template is bound to."""
+        self.visit(state)
+        return ground(ask("binding_of", self.module, predicate, arity))
 
     def members(self, predicate: str) -> list[Ground]:
         """All X for which predicate(X) holds in the current state, sorted."""

@@ -1,26 +1,30 @@
-"""One episode, as it was."""
+"""Episodes, as they were."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from nppg.domain import Action, State
-from nppg.gradient import gibbs
+from nppg.errors import NppgError, Problem
+from nppg.options import Common
 from nppg.policy import Policy, choose
+
+_IDLE = 1000  # episodes in a row without a step, after which there is nothing to wait for
 
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """A state with its legal actions, the answers to the policy's tests about them (shape (actions, tests)),
-    the policy's probabilities, the index of the action taken, and the reward."""
+    """A state with its legal actions, the answers to the policy's tests about them (shape (actions, tests)), their
+    potentials and probabilities, the index of the action taken, and the reward."""
 
     state: State
     actions: Sequence[Action]
     answers: np.ndarray
+    potentials: np.ndarray
     probabilities: np.ndarray
     chosen: int
     reward: float
@@ -28,10 +32,12 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Episode:
-    """The steps, the last state, and whether that is a goal state. `guided`: the expert chose the actions."""
+    """The steps, the last state, its legal actions (none where it is a goal or terminal state), and whether it is a
+    goal state. `guided`: the expert chose the actions."""
 
     steps: tuple[Step, ...]
     last: State
+    open: Sequence[Action]
     success: bool
     guided: bool
 
@@ -56,15 +62,29 @@ def generate_episode(
     steps: list[Step] = []
     status, actions = domain.situation(state)
     while status == "running" and len(steps) < limit:
-        answers = policy.table.answers(state, actions)
-        probabilities = gibbs(policy.potentials_of(answers))
+        answers = policy.answers(state, actions)
+        potentials = policy.potentials_of(answers)
+        probabilities = policy.probabilities_of(potentials)
         advice = [each for each in domain.expert_actions(state) if each in actions] if guided else []
         if advice:
             chosen = actions.index(advice[int(rng.random() * len(advice))])
         else:
             chosen = choose(probabilities, rng, greedy)
         reward, following = domain.act(state, actions[chosen], rng)
-        steps.append(Step(state, actions, answers, probabilities, chosen, reward))
+        steps.append(Step(state, actions, answers, potentials, probabilities, chosen, reward))
         state = following
         status, actions = domain.situation(state)
-    return Episode(tuple(steps), state, status == "goal", guided)
+    return Episode(tuple(steps), state, actions, status == "goal", guided)
+
+
+def training_episodes(policy: Policy, rng: np.random.Generator, options: Common) -> Iterator[Episode]:
+    """The episodes of a training run, each by the policy as it is by then. Raises NppgError where no episode takes a
+    step any more."""
+    idle = 0
+    for _ in range(options.episodes):
+        episode = generate_episode(policy, rng, options.guidance, options.horizon_factor)
+        idle = 0 if episode.steps else idle + 1
+        if idle == _IDLE:
+            message = f"{idle} episodes took no step: their starts were goal or terminal states, or the horizon 0"
+            raise NppgError([Problem(str(policy.domain.path), 0, 0, message)])
+        yield episode

@@ -22,11 +22,12 @@ import yaml
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.logic import Constant
 
-KEYS = ("action", "goal", "subtypes", "types", "modes", "lookahead", "max_variables", "tree")
+KEYS = ("action", "goal", "subtypes", "types", "modes", "lookahead", "max_variables", "tree", "sentences")
 REQUIRED = ("action", "types", "modes")
 RESERVED = ("delta", 3)
 MODE_KEYS = ("literal", "lookahead")
 EQUALITY = ("equal", "=")  # its name in a file, and in Prolog
+PLACEHOLDER = re.compile(r"\{([1-9][0-9]{0,2})\}")  # in a sentence, for the argument of that number
 
 Item = TypeVar("Item")
 
@@ -110,6 +111,7 @@ class LanguageBias:
     max_lookahead: int  # of any mode
     max_variables: int  # existential variables in one query
     tree: TreeLimits
+    sentences: Mapping[str, str] = field(default_factory=dict)  # predicate -> its literals in plain English
     source: bytes = field(default=b"", compare=False, repr=False)  # the file's contents; none for a bias without one
 
     @property
@@ -388,18 +390,23 @@ class _Reader:
         self.read_subtypes(entries.get("subtypes"))
         declared = {name for types in self.types.values() for name in types or ()}
         declared |= {*self.subtypes, *self.subtypes.values()}
+        before = len(self.problems)
         actions = self.actions(entries.get("action"))
         goal = self.template(entries.get("goal"), "goal", "-")
+        all_known = self.complete and "action" in entries and len(self.problems) == before
         max_lookahead = self.whole(entries.get("lookahead"), "lookahead", 0, otherwise=sys.maxsize)
         max_variables = self.whole(entries.get("max_variables"), "max_variables", 4)
         modes = self.modes(entries.get("modes"), max_lookahead)
         tree = self.tree(entries.get("tree"))
+        sentences = self.sentences(entries.get("sentences"), self.types if all_known else ())
         self.check_types(declared, [*actions, (entries["goal"], goal)] if goal else actions)
         if self.problems:
             raise NppgError(sorted(self.problems))
         types = {name: types for name, types in self.types.items() if types is not None}
         templates = tuple(template for _, template in actions)
-        return LanguageBias(self.file, templates, goal, types, self.subtypes, modes, max_lookahead, max_variables, tree)
+        return LanguageBias(
+            self.file, templates, goal, types, self.subtypes, modes, max_lookahead, max_variables, tree, sentences
+        )
 
     # -------------------------------------------------- nodes
 
@@ -696,3 +703,35 @@ class _Reader:
             except NppgError as error:
                 self.report(value_node, str(error))
         return TreeLimits(**values)  # type: ignore[arg-type]
+
+    # -------------------------------------------------- sentences
+
+    def sentences(self, node: yaml.Node | None, known: Collection[str]) -> dict[str, str]:
+        """`known`: the predicates that may have a sentence; empty where that could not be read."""
+        found = {}
+        for name, value in (self.mapping(node, "sentences", known) if node else {}).items():
+            text = self.text(value, 'a sentence like "{1} is clear", in quotes,')
+            if text is not None:
+                self.check_sentence(value, name, text)
+                found[name] = text.strip()
+        return found
+
+    def check_sentence(self, node: yaml.Node, name: str, text: str) -> None:
+        """Every argument has to be mentioned: a sentence without one would say more than its literal."""
+        types = self.types.get(name)
+        wrong = len(self.problems)
+        if "\n" in text.strip():
+            self.report(node, "a sentence is one line")
+        mentioned = set()
+        for match in re.finditer(r"\{[^{}]*\}|[{}]", text):
+            placeholder = PLACEHOLDER.fullmatch(match[0])
+            if not placeholder:
+                message = f"a placeholder is the number of an argument in braces, like {{1}}, not {match[0]!r}"
+                self.report(node, message, match.start())
+            elif types is not None and int(placeholder[1]) > len(types):
+                self.report(node, f"{match[0]} stands for no argument of {_atom(name, types)}", match.start())
+            else:
+                mentioned.add(int(placeholder[1]))
+        missing = [f"{{{i + 1}}}" for i in range(len(types or ())) if i + 1 not in mentioned]
+        if types and missing and len(self.problems) == wrong:
+            self.report(node, f"the sentence leaves out {', '.join(missing)} of {_atom(name, types)}")

@@ -21,6 +21,7 @@ from nppg.domain import Domain
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.language_bias import LanguageBias, Template, TreeLimits
 from nppg.logic import deciding_tests
+from nppg.options import Options
 from nppg.policy import Policy
 from nppg.prolog import ask, ground
 from nppg.tree import Rule, from_rules
@@ -28,17 +29,20 @@ from nppg.tree import Rule, from_rules
 FORMAT = 1
 
 
-def write(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None:
+def write(policy: Policy, path: Path, facts: Sequence[tuple] = (), sentences: Sequence[Sequence[str]] = ()) -> None:
     """Writes the model, and a copy of its domain beside it. Raises NppgError where there are `conflicts`."""
     copies = {policy.domain.path.name: policy.domain.source}
     if problems := conflicts(path.parent, copies, [path.name]):
         raise NppgError(problems.values())
     write_copies(path.parent, copies)
-    write_model(policy, path, facts)
+    write_model(policy, path, facts, sentences)
 
 
-def write_model(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None:
-    """Writes the model alone."""
+def write_model(
+    policy: Policy, path: Path, facts: Sequence[tuple] = (), sentences: Sequence[Sequence[str]] = ()
+) -> None:
+    """Writes the model alone; `sentences`, if given, has for each tree one for each of its rules."""
+    policy, own = policy.stored()
     domain, bias = policy.domain, policy.bias
     templates = {each.name for each in (*bias.actions, bias.goal) if each}
     described = [
@@ -56,14 +60,16 @@ def write_model(policy: Policy, path: Path, facts: Sequence[tuple] = ()) -> None
             if name not in templates
         ),
         *facts,
+        *own,
         ("trees", len(policy.trees)),
     ]
     entries = [[key, value] for key, value in described]
+    comments = [[each] for each in policy.comments]
+    if sentences:
+        comments = [[*comment, *said] for comment, said in zip(comments, sentences, strict=True)]
     replacing(
         path,
-        lambda temporary: ask(
-            "save", str(temporary), domain.name, domain.path.name, entries, policy.name, policy.comments
-        ),
+        lambda temporary: ask("save", str(temporary), domain.name, domain.path.name, entries, policy.name, comments),
     )
 
 
@@ -145,10 +151,15 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Policy:
     domain = Domain(beside if beside.is_file() else Path(domain_file).stem, {**_parameters(path, known), **parameters})
     policy = Policy(domain, _bias(path, known, domain))
     policy.facts = known
+    policy.greedy = known.get("learner", [Options.learner]) != [Options.learner]
     for rules in _trees(path, clauses, policy.bias, known):
         policy.add(from_rules(rules, lambda query, literals: deciding_tests(query, literals, len(policy.bias.roots))))
     for problem in another_domain(path, policy):
         warnings.warn(str(problem), stacklevel=3)
+    if "instance" in known:
+        from nppg.rrl.instance_tree import restored
+
+        return restored(policy, path)
     return policy
 
 

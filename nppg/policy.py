@@ -9,11 +9,12 @@ import numpy as np
 
 from nppg.clauses import to_clause
 from nppg.coverage import TestTable
-from nppg.domain import Action, Domain, State
+from nppg.domain import Action, Domain, Ground, State
 from nppg.errors import NppgError
 from nppg.forest import Forest
 from nppg.gradient import gibbs
 from nppg.language_bias import LanguageBias
+from nppg.logic import Var
 from nppg.prolog import ask, drop_with
 from nppg.tree import Leaf, Tree, leaves, mapped, rules
 
@@ -24,6 +25,8 @@ class Policy:
     The trees are stored in Prolog as clauses; `potentials` is their sum, by way of each pair's answers to the
     tests of `table` (see nppg.forest), `prolog_potentials` asks the clauses themselves.
     """
+
+    greedy = False  # whether it takes an action of the highest potential wherever it does not learn
 
     def __init__(self, domain: Domain, bias: LanguageBias, table: TestTable | None = None):
         self.domain = domain
@@ -36,6 +39,7 @@ class Policy:
         self.name: str = ask("policy", domain.module, [[name, *types] for name, types in signatures])
         drop_with(self, "policy_drop", self.name)
         self._forest = Forest()
+        self._leaves = 0
 
     def add(self, tree: Tree, step_size: float = 1.0, comment: str = "") -> None:
         """Adds step_size * tree to the potential."""
@@ -45,14 +49,28 @@ class Policy:
         self._forest.add(scaled, self.table.column)
         self.trees.append(scaled)
         self.comments.append(comment or f"{leaves(tree)} leaves")
+        self._leaves += leaves(tree)
 
     def potentials(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """Psi(s, a) of each action, shape (actions,)."""
-        return self.potentials_of(self.table.answers(state, actions))
+        return self.potentials_of(self.answers(state, actions))
+
+    def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
+        """All that the potential depends on, a row for each action: the answers to the table's tests."""
+        return self.table.answers(state, actions)
+
+    @property
+    def width(self) -> int:
+        """The length of a row of `answers`; it changes where a tree has brought new tests."""
+        return len(self.table)
 
     def potentials_of(self, answers: np.ndarray) -> np.ndarray:
-        """The potentials of pairs with these answers to the table's tests, shape (pairs,)."""
+        """The potentials of pairs with these answers, shape (pairs,)."""
         return self._forest.sums(answers)
+
+    def probabilities_of(self, potentials: np.ndarray) -> np.ndarray:
+        """pi(s, a), with which it takes the actions of a state that have these potentials, shape (actions,)."""
+        return gibbs(potentials)
 
     def prolog_potentials(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """Psi(s, a) summed clause by clause in Prolog."""
@@ -61,7 +79,7 @@ class Policy:
 
     def distribution(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """pi(s, a) of each action, shape (actions,)."""
-        return gibbs(self.potentials(state, actions))
+        return self.probabilities_of(self.potentials(state, actions))
 
     def act(self, state: State, rng: np.random.Generator, greedy: bool = False) -> Action:
         """Draws a legal action from the distribution, or one of the most probable ones. Raises NppgError where
@@ -71,16 +89,30 @@ class Policy:
             raise NppgError(f"there is no action to choose: the state is a {status} state")
         return actions[choose(self.distribution(state, actions), rng, greedy)]
 
+    def named(self) -> set[Ground]:
+        """The constants that its tests name."""
+        literals = (literal for test in self.table.tests for literal in test)
+        return {arg for literal in literals for arg in literal.args if not isinstance(arg, Var)}
+
+    def sizes(self) -> dict[str, int]:
+        """What it consists of, with numbers."""
+        return {"trees": len(self.trees), "leaves": self._leaves}
+
+    def stored(self) -> tuple[Policy, list[tuple]]:
+        """The policy as model files have it, and facts for the head of such a file."""
+        return self, []
+
     def rules(self, tree: int) -> list[str]:
         """The clauses of a tree (from 1), one line each."""
         return ask("rules", self.name, tree)
 
-    def save(self, path: str | Path, facts: Sequence[tuple] = ()) -> None:
-        """Writes a model file, with `facts` in its head: pairs of a name and a term. A copy of the domain comes to
-        stand beside it; raises NppgError where another file of that name is there. See nppg.model."""
+    def save(self, path: str | Path, facts: Sequence[tuple] = (), sentences: Sequence[Sequence[str]] = ()) -> None:
+        """Writes a model file, with `facts` in its head: pairs of a name and a term; and, if given, with `sentences`
+        above its rules, for each tree one for each rule. A copy of the domain comes to stand beside it; raises
+        NppgError where another file of that name is there. See nppg.model and nppg.explain."""
         from nppg.model import write
 
-        write(self, Path(path), facts)
+        write(self, Path(path), facts, sentences)
 
     @classmethod
     def load(cls, path: str | Path, parameters: dict | None = None) -> Policy:

@@ -58,6 +58,7 @@ def prove(policy: Policy, model: Path, greedy: bool = True) -> Proof:
     with, and as nppg.evaluation.ExactEvaluator does."""
     if problems := another_domain(model, policy):
         raise NppgError(problems)
+    greedy = greedy or policy.greedy
     judge = ExactEvaluator(policy)
     space = judge.space
     success, _ = judge.by_class(greedy)

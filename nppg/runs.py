@@ -18,12 +18,13 @@ from nppg.domain import Domain
 from nppg.errors import NppgError, Problem
 from nppg.evaluation import Evaluation, ExactEvaluator, evaluate
 from nppg.language_bias import LanguageBias
+from nppg.learners import train
 from nppg.model import conflicts, recorded_hashes, replacing, write_copies, write_model
-from nppg.options import Options
+from nppg.options import Common
 from nppg.policy import Policy
 from nppg.prolog import ask, undisturbed
 from nppg.space import Space
-from nppg.training import Iteration, train
+from nppg.training import Iteration
 
 _FILES = ("model.pl", "run.json", "curve.csv", "curve.png")
 _CLASSES = 20_000  # state spaces up to this size are evaluated exactly between the trees
@@ -33,7 +34,8 @@ _RECENT = 100  # episodes that `recent` is the mean of
 @dataclass(frozen=True, slots=True)
 class Point:
     """One point of the learning curve. `success` is the stochastic policy's (exact where `exact` is 1), `recent`
-    the share of the last training episodes that reached the goal; `seconds` leaves evaluation out."""
+    the share of the last training episodes that reached the goal; `seconds` leaves evaluation out. The value-function
+    learners' policies are greedy where they are evaluated. `leaves` are those of all trees."""
 
     episode: int
     trees: int
@@ -43,6 +45,8 @@ class Point:
     mean_steps: float
     recent: float
     exact: int
+    leaves: int
+    instances: int
 
 
 @dataclass
@@ -50,13 +54,14 @@ class Progress:
     """What a run has come to; handed to the caller after each tree, with a new `point` where one was made."""
 
     policy: Policy
-    options: Options
+    options: Common
     judging: Mapping[str, int | float | None] = field(default_factory=dict)  # run's arguments about the curve
     episodes: int = 0
     seconds: float = 0.0
     outcomes: list[bool] = field(default_factory=list)
     curve: list[Point] = field(default_factory=list)
     point: Point | None = None
+    evaluator: ExactEvaluator | None = None  # that the last point comes from, where it is exact
     ended: bool = False
     written: list[str] = field(default_factory=list)  # names of the files, at the end
 
@@ -69,21 +74,22 @@ class Progress:
 def run(
     domain: Domain,
     bias: LanguageBias,
-    options: Options,
+    options: Common,
     output: Path,
     evaluate_every: int = 50,
     starts: int = 1000,
     report: Callable[[Progress], None] = lambda progress: None,
     until_success: float | None = None,
+    space: Space | None = None,
 ) -> Progress:
     """Trains and writes the files into the folder `output`.
 
     Every `evaluate_every` episodes (0: never) the policy is evaluated: exactly where the domain allows it and has
     few classes of states, else on `starts` sampled starts. With `until_success` the run ends at the first such point
-    where the stochastic policy reaches it. On KeyboardInterrupt the files are written for what has
-    been learned, then it is raised again; after a mistake of the domain they are written as far as there was
-    none before, so that nothing is lost and nothing overwritten. Raises NppgError, before it starts, where a file
-    that no run wrote stands in the way of a copy of the domain or the bias.
+    where the policy reaches it. `space` is the domain's, where the caller has it already. On KeyboardInterrupt the
+    files are written for what has been learned, then it is raised again; after a mistake of the domain they are written
+    as far as there was none before, so that nothing is lost and nothing overwritten. Raises NppgError, before it
+    starts, where a file that no run wrote stands in the way of a copy of the domain or the bias.
     """
     problems = bias.check(domain.predicates, domain.actions)
     problems += conflicts(output, _copies(domain, bias), _FILES).values()
@@ -94,13 +100,13 @@ def run(
     progress: Progress | None = None
     try:
         clock = time.perf_counter()
-        judge: Callable[[Policy], tuple[Evaluation, Evaluation]] | None = None
+        judge: Callable[[], tuple[Evaluation, Evaluation]] | None = None
         for iteration in train(domain, bias, options):
             progress = progress or Progress(iteration.policy, options, judging)
             _advance(progress, iteration, time.perf_counter() - clock)
             if _is_due(progress, iteration, evaluate_every):
-                judge = judge or _judge(iteration.policy, starts, options)
-                progress.point = _point(progress, *judge(iteration.policy))
+                judge = judge or _judge(progress, starts, space)
+                progress.point = _point(progress, *judge())
                 progress.curve.append(progress.point)
             reached = until_success is not None and progress.point and progress.point.success >= until_success
             progress.ended = bool(reached) or progress.episodes == options.episodes
@@ -141,31 +147,40 @@ def _is_due(progress: Progress, iteration: Iteration, every: int) -> bool:
     return not progress.curve or last // every < progress.episodes // every or at_end
 
 
-def _judge(policy: Policy, starts: int, options: Options) -> Callable[[Policy], tuple[Evaluation, Evaluation]]:
+def _judge(progress: Progress, starts: int, space: Space | None) -> Callable[[], tuple[Evaluation, Evaluation]]:
     """How the run's policy is evaluated: the stochastic and the greedy one."""
-    factor = options.horizon_factor
+    policy, seed, factor = progress.policy, progress.options.seed, progress.options.horizon_factor
     if policy.domain.uniform_start and policy.domain.has_goal:
         try:
-            exact = ExactEvaluator(policy, Space(policy.domain, _CLASSES))
-            return lambda _: (exact.evaluate(False, factor), exact.evaluate(True, factor))
+            exact = ExactEvaluator(policy, space or Space(policy.domain, _CLASSES))
         except NppgError:
             pass
-    return lambda own: (
-        evaluate(own, starts, options.seed, False, factor),
-        evaluate(own, starts, options.seed, True, factor),
+        else:
+
+            def exactly() -> tuple[Evaluation, Evaluation]:
+                now = progress.evaluator = exact.snapshot()
+                return now.evaluate(False, factor), now.evaluate(True, factor)
+
+            return exactly
+    return lambda: (
+        evaluate(policy, starts, seed, False, factor),
+        evaluate(policy, starts, seed, True, factor),
     )
 
 
 def _point(progress: Progress, stochastic: Evaluation, greedy: Evaluation) -> Point:
+    sizes = progress.policy.sizes()
     return Point(
         progress.episodes,
-        len(progress.policy.trees),
+        sizes.get("trees", 0),
         stochastic.success,
         round(progress.seconds, 3),
         greedy.success,
         stochastic.mean_steps,
         progress.recent,
         int(stochastic.exact),
+        sizes.get("leaves", 0),
+        sizes.get("instances", 0),
     )
 
 
@@ -202,11 +217,12 @@ def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[st
         "numpy": np.__version__,
         "domain": {"file": domain.path.name, "sha256": domain.hash, "parameters": domain.parameters},
         "bias": {"file": Path(bias.file).name, "sha256": bias.hash} if bias.source else None,
+        "learner": options.learner,
         "options": asdict(options),
         "tree": asdict(bias.tree),
         "curve": dict(progress.judging),
         "episodes": progress.episodes,
-        "trees": len(policy.trees),
+        **policy.sizes(),
         "seconds": round(progress.seconds, 3),
         "last": asdict(progress.curve[-1]) if progress.curve else None,
     }
@@ -253,8 +269,13 @@ def _draw(progress: Progress, path: Path) -> bool:
 
 
 def _title(progress: Progress) -> str:
-    seed, trees = progress.options.seed, len(progress.policy.trees)
-    return f"{title(progress.policy.domain)}, seed {seed}: {trees} trees"
+    options = progress.options
+    return f"{title(progress.policy.domain)}, {options.learner}, seed {options.seed}: {sizes(progress.policy)}"
+
+
+def sizes(policy: Policy) -> str:
+    """What a policy consists of, for people."""
+    return "  ".join(f"{name} {number:,}" for name, number in policy.sizes().items())
 
 
 def title(domain: Domain) -> str:

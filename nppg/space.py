@@ -184,6 +184,11 @@ class Space:
                     "that can be reached have"
                 )
 
+    def draw(self, count: int, rng: np.random.Generator) -> np.ndarray:
+        """The classes of `count` random start states."""
+        shares = np.array([size / self.starts for size in self.sizes]) * self.running
+        return rng.choice(len(shares), count, p=shares / shares.sum())
+
     def lengths(self) -> dict[int, int]:
         """How many starts have each horizon."""
         found: dict[int, int] = {}

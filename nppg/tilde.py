@@ -97,8 +97,10 @@ def best_split(answers: np.ndarray, values: np.ndarray, limits: TreeLimits) -> i
     """
     covered = answers.astype(float)
     n1 = covered.sum(axis=0)
-    found = _best_gain(covered, values, n1, n1, float(len(values)), limits.min_examples)
-    return found[0] if found and _is_significant(found[1], values, limits.significance) else None
+    s1, count = (covered * values[:, None]).sum(axis=0), len(values)
+    found = best_gain(s1, values.sum(), n1, count, n1, float(count), limits.min_examples)
+    squares = _variance(values) * count
+    return found[0] if found and is_significant(found[1], squares, count, limits.significance) else None
 
 
 def best_step(
@@ -107,28 +109,30 @@ def best_step(
     """The candidate with the largest sum of f^2 / (h + regularisation) over the two branches, f and h the branch's
     sums, or None if none exceeds that of the undivided node. There is no F-test."""
     covered = answers.astype(float)
-    h1 = (covered * curvatures[:, None]).sum(axis=0)
-    whole = float(curvatures.sum())
-    found = _best_gain(covered, values, covered.sum(axis=0), h1, whole, limits.min_examples, regularisation)
+    s1, h1 = ((covered * each[:, None]).sum(axis=0) for each in (values, curvatures))
+    n1, whole = covered.sum(axis=0), float(curvatures.sum())
+    found = best_gain(s1, values.sum(), n1, len(values), h1, whole, limits.min_examples, regularisation)
     return found[0] if found and found[1] >= 1e-9 else None
 
 
-def _best_gain(
-    covered: np.ndarray,
-    values: np.ndarray,
-    counts: np.ndarray,
+def best_gain(
+    s1: np.ndarray,
+    total: float,
+    n1: np.ndarray,
+    count: float,
     weights: np.ndarray,
     whole: float,
     least: int,
     regularisation: float = 0.0,
 ) -> tuple[int, float] | None:
-    """The candidate of the largest s1^2 / w1 + s0^2 / w0 - s^2 / w, and that gain. The sums s of the values and w of
-    the weights run down the columns in a fixed order, so that the outcome does not depend on the machine's linear
-    algebra; `whole` is the weight of the undivided node, and `regularisation` is added to each weight."""
-    s1 = (covered * values[:, None]).sum(axis=0)
-    total = values.sum()
+    """The candidate of the largest s1^2 / w1 + s0^2 / w0 - s^2 / w, and that gain; None where no candidate leaves
+    `least` examples to both branches.
+
+    Of each candidate's covered examples: the sum `s1` of the values, the number `n1` and the sum `weights` of weights,
+    and of all examples `total`, `count` and `whole`; `regularisation` is added to each weight. The sums are to run in a
+    fixed order, so that the outcome does not depend on the machine's linear algebra."""
     w1, w0 = weights + regularisation, whole - weights + regularisation
-    allowed = (counts >= least) & (len(values) - counts >= least) & (w1 > 0) & (w0 > 0)
+    allowed = (n1 >= least) & (count - n1 >= least) & (w1 > 0) & (w0 > 0)
     if not allowed.any():
         return None
     gain = s1**2 / np.where(allowed, w1, 1) + (total - s1) ** 2 / np.where(allowed, w0, 1)
@@ -144,15 +148,14 @@ def _variance(values: np.ndarray) -> float:
     return float(((values - mean) ** 2).sum() / len(values))
 
 
-def _is_significant(gain: float, values: np.ndarray, level: float) -> bool:
+def is_significant(gain: float, squares: float, count: int, level: float) -> bool:
     """The F-test of regression trees, F(1, n - 2) = (n - 2) gain / (squares - gain), with the sum of squares around
-    the mean; level 1 accepts any gain."""
+    the mean of n = `count` values; level 1 accepts any gain."""
     if gain < 1e-9:
         return False
     if level == 1.0:
         return True
-    count = len(values)
-    rest = _variance(values) * count - gain
+    rest = squares - gain
     return count > 2 and (rest <= 0 or f_test((count - 2) * gain / rest, count - 2) <= level)
 
 

@@ -11,17 +11,14 @@ import numpy as np
 
 from nppg.coverage import Coverage, root_table
 from nppg.domain import Action, Domain, State
-from nppg.episode import Episode, Step, generate_episode
-from nppg.errors import NppgError, Problem
-from nppg.gradient import functional_gradient, gibbs, returns, taken_gradient
+from nppg.episode import Episode, Step, training_episodes
+from nppg.gradient import functional_gradient, returns, taken_gradient
 from nppg.language_bias import LanguageBias
 from nppg.options import Options
 from nppg.policy import Policy
 from nppg.refinement import Refiner
 from nppg.tilde import Newton, grow
 from nppg.tree import Tree, leaves
-
-_IDLE = 1000  # episodes in a row without a step, after which there is nothing to wait for
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,8 +51,10 @@ def revisited(visit: Visit, policy: Policy) -> Visit:
     step = visit.step
     answers = step.answers
     if answers.shape[1] != len(policy.table):
-        answers = policy.table.answers(step.state, step.actions)
-    return Visit(replace(step, answers=answers, probabilities=gibbs(policy.potentials_of(answers))), visit.value)
+        answers = policy.answers(step.state, step.actions)
+    potentials = policy.potentials_of(answers)
+    probabilities = policy.probabilities_of(potentials)
+    return Visit(replace(step, answers=answers, potentials=potentials, probabilities=probabilities), visit.value)
 
 
 def updated_actions(step: Step, options: Options) -> slice:
@@ -107,28 +106,23 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None) ->
     refiner = Refiner(bias)
     policy = Policy(domain, bias, root_table(domain, bias, refiner))
     memory: deque[Visit] = deque(maxlen=options.replay)
-    episodes = idle = 0
-    yield Iteration(policy, episodes, ())
-    while episodes < options.episodes:
-        batch: list[Visit] = []
-        recent: list[Episode] = []
-        gathered = 0
-        while episodes < options.episodes and (
-            gathered <= options.min_examples or len(recent) < options.episodes_per_iteration
-        ):
-            recent.append(generate_episode(policy, rng, options.guidance, options.horizon_factor))
-            new = visits(recent[-1], options)
-            gathered += sum(len(step.actions[updated_actions(step, options)]) for step, _ in new)
-            batch += new
-            episodes += 1
-            idle = 0 if recent[-1].steps else idle + 1
-            if idle == _IDLE:
-                message = f"{idle} episodes took no step: their starts were goal or terminal states, or the horizon 0"
-                raise NppgError([Problem(str(domain.path), 0, 0, message)])
-        if gathered > options.min_examples:
+    batch: list[Visit] = []
+    recent: list[Episode] = []
+    gathered = 0
+    yield Iteration(policy, 0, ())
+    for count, episode in enumerate(training_episodes(policy, rng, options), 1):
+        recent.append(episode)
+        new = visits(episode, options)
+        gathered += sum(len(step.actions[updated_actions(step, options)]) for step, _ in new)
+        batch += new
+        enough = gathered > options.min_examples
+        if count < options.episodes and not (enough and len(recent) >= options.episodes_per_iteration):
+            continue
+        if enough:
             replayed = [revisited(visit, policy) for visit in memory]
             tree = fitted(examples([*replayed, *batch], options), policy, refiner, options)
             memory.extend(visit for visit in batch if visit.value != 0)
             size = f"{gathered} examples, {leaves(tree)} leaves"
             policy.add(tree, options.step_size, f"step size {options.step_size}, {size}")
-        yield Iteration(policy, episodes, tuple(recent))
+        yield Iteration(policy, count, tuple(recent))
+        batch, recent, gathered = [], [], 0

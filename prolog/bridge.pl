@@ -84,6 +84,18 @@ visit(Module, Data, true) :-
 drawing(Module, Lines) :-
     picture(Module, Lines).
 
+%!  parts_of(+Module, -Data) is det: the lists that the current state consists of.
+
+parts_of(Module, Data) :-
+    parts(Module, Parts),
+    maplist(maplist(encode), Parts, Data).
+
+%!  binding_of(+Module, +Name, +Arity, -Data) is det: the arguments of the goal's only answer.
+
+binding_of(Module, Name, Arity, Data) :-
+    binding(Module, Name, Arity, Values),
+    maplist(encode, Values, Data).
+
 %!  intact(+Module, -Truth) is det: whether the fluents are what the state says, and domain code left them alone.
 
 intact(Module, Truth) :-
@@ -201,6 +213,12 @@ potentials(Policy, Data, Potentials) :-
 rules(Policy, Tree, Texts) :-
     signatures(Policy, Signatures),
     findall(Text, ( rule(Policy, Tree, Clause), rule_text(Signatures, Clause, Text) ), Texts).
+
+%!  parts(+Policy, +Tree, -Parts) is det: the rules of a tree, each as what it consists of; see model.pl.
+
+parts(Policy, Tree, Parts) :-
+    signatures(Policy, Signatures),
+    findall(Rule, ( rule(Policy, Tree, Clause), rule_parts(Signatures, Clause, Rule) ), Parts).
 
 save(File, Name, DomainFile, Facts, Policy, Comments, true) :-
     write_model(File, Name, DomainFile, Facts, Policy, Comments).

@@ -6,6 +6,7 @@
             actions/2,           % +Module, -Actions             det
             experts/2,           % +Module, -Actions             det
             picture/2,           % +Module, -Lines               det
+            parts/2,             % +Module, -Parts               det
             horizon/2,           % +Module, -Steps               det
             outcomes/3,          % +Module, +Action, -Outcomes   det
             reward/3,            % +Module, +Action, -Reward     det
@@ -37,6 +38,7 @@ of them has a state argument: they see the facts of the current state. docs/doma
 | horizon(-N)                       | in a start state: the length after which an episode ends; default 100 |
 | expert(-Action)                   | the actions that an expert would take, by backtracking   |
 | picture(-Lines)                   | the current state drawn for people, a list of atoms; default: its facts |
+| parts(-Lists)                     | the parts that two states are compared by, each a list of ground terms; default: the facts |
 
 Every load makes an instance, a module of its own, so that one file can be loaded with other parameters
 beside itself.
@@ -307,6 +309,7 @@ contract(reward/2).
 contract(horizon/1).
 contract(expert/1).
 contract(picture/1).
+contract(parts/1).
 
 defined(Module, Name/Arity) :-
     functor(Head, Name, Arity),
@@ -425,6 +428,8 @@ description(Module, _, expert, Expert) :-
     truth(defined(Module, expert/1), Expert).
 description(Module, _, goal, Goal) :-
     truth(defined(Module, goal/0), Goal).
+description(Module, _, parts, Parts) :-
+    truth(defined(Module, parts/1), Parts).
 
 truth(Goal, Truth) :-
     (   call(Goal)
@@ -554,6 +559,20 @@ picture(Module, Lines) :-
         )
     ;   interpretation(Module, Facts),
         findall(Line, ( member(Fact, Facts), format(atom(Line), '~q', [Fact]) ), Lines)
+    ).
+
+%!  parts(+Module, -Parts) is det.
+%
+%   The parts of the current state, in a domain that defines parts/1: a list of lists.
+
+parts(Module, Parts) :-
+    (   guarded(Module:(parts/1), Module:parts(Given)), is_list(Given), \+ ( member(Part, Given), \+ is_list(Part) )
+    ->  (   member(Part, Given), member(Term, Part), \+ proper(Term)
+        ->  defect(Term, Defect),
+            fault(Module:(parts/1), 'gave ~w in a part~w,'-[Term, Defect])
+        ;   Parts = Given
+        )
+    ;   fault(Module:(parts/1), 'gave no list of lists'-[])
     ).
 
 horizon(Module, Steps) :-

@@ -1,12 +1,13 @@
 :- module(nppg_model,
           [ write_model/6,       % +File, +Name, +DomainFile, +Facts, +Policy, +Comments  det
             read_model/2,        % +File, -Model                det
-            rule_text/3          % +Signatures, +Clause, -Text  det
+            rule_text/3,         % +Signatures, +Clause, -Text  det
+            rule_parts/3         % +Signatures, +Clause, -Parts  det
           ]).
 
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, foldl/5, maplist/2, maplist/3]).
-:- use_module(library(lists), [append/3, member/2, nth0/3, nth1/3, same_length/2]).
+:- use_module(library(lists), [append/3, member/2, nth0/3, nth1/3, same_length/2, subtract/3]).
 :- use_module(library(readutil), [read_file_to_string/3]).
 :- use_module(potential, [rule/3, signatures/2]).
 :- use_module(report, [explanation/2]).
@@ -28,13 +29,14 @@ ever called. It has three parts: the terms of plain.pl, facts that describe it (
 %!  write_model(+File, +Name, +DomainFile, +Facts, +Policy, +Comments) is det.
 %
 %   Name is the domain's module and DomainFile its file's base name. Facts is a list of [Key, Value], Value
-%   as data. Comments has one line of text for each tree.
+%   as data. Comments has a list for each tree: a line of text, and behind it either nothing more or a line for each of
+%   its rules, which comes to stand above that rule.
 
 write_model(File, Name, DomainFile, Facts, Policy, Comments) :-
     setup_call_cleanup(
         open(File, write, Out, [encoding(utf8)]),
         ( preamble(Out, Name, DomainFile, Facts),
-          forall(nth1(Tree, Comments, Comment), write_tree(Out, Policy, Tree, Comment)) ),
+          forall(nth1(Tree, Comments, [Comment|Sentences]), write_tree(Out, Policy, Tree, Comment, Sentences)) ),
         close(Out)).
 
 preamble(Out, Name, DomainFile, Facts) :-
@@ -52,11 +54,17 @@ preamble(Out, Name, DomainFile, Facts) :-
 
 header((:- module(policy, [state/1, potential/2, best_action/1, delta/3]))).
 
-write_tree(Out, Policy, Tree, Comment) :-
+write_tree(Out, Policy, Tree, Comment, Sentences) :-
     format(Out, '~n% tree ~d: ~w~n', [Tree, Comment]),
     signatures(Policy, Signatures),
-    forall(( rule(Policy, Tree, Clause), rule_text(Signatures, Clause, Text) ),
-           format(Out, '~w~n', [Text])).
+    findall(Text, ( rule(Policy, Tree, Clause), rule_text(Signatures, Clause, Text) ), Texts),
+    (   Sentences == []
+    ->  maplist(format(Out, '~w~n'), Texts)
+    ;   maplist(write_explained(Out), Sentences, Texts)
+    ).
+
+write_explained(Out, Sentence, Text) :-
+    format(Out, '% ~w~n~w~n', [Sentence, Text]).
 
 %!  rule_text(+Signatures, +Clause, -Text) is det.
 %
@@ -64,21 +72,54 @@ write_tree(Out, Policy, Tree, Comment) :-
 %   order of occurrence; by a letter where that has no signature.
 
 rule_text(Signatures, Clause, Text) :-
-    copy_term(Clause, (Head :- Body)),
-    term_singletons(Head-Body, Singletons),
+    named(Signatures, Clause, (Head :- Body)),
+    term_text(Head, HeadText),
+    (   Body == true
+    ->  format(atom(Text), '~w.', [HeadText])
+    ;   goals(Body, Goals),
+        maplist(term_text, Goals, Texts),
+        atomic_list_concat(Texts, ', ', BodyText),
+        format(atom(Text), '~w :- ~w.', [HeadText, BodyText])
+    ).
+
+%!  rule_parts(+Signatures, +Clause, -Parts) is det.
+%
+%   What rule_text/3 prints, in parts: [Action, Literals, Value], without the cut. A literal is [Name, Args, Text], an
+%   argument its text, that of a constant in a list of one; Action is [] where the rule is about every action.
+
+rule_parts(Signatures, Clause, [Action, Literals, Value]) :-
+    named(Signatures, Clause, (delta(_, Head, Value) :- Body)),
+    (   Head = '$VAR'(_)
+    ->  Action = []
+    ;   literal_parts(Head, Action)
+    ),
+    goals(Body, Goals0),
+    subtract(Goals0, [true, !], Goals),
+    maplist(literal_parts, Goals, Literals).
+
+literal_parts(Literal, [Name, Args, Text]) :-
+    Literal =.. [Name|Terms],
+    maplist(argument_part, Terms, Args),
+    term_text(Literal, Text).
+
+argument_part(Term, Part) :-
+    term_text(Term, Text),
+    (   Term = '$VAR'(_)
+    ->  Part = Text
+    ;   Part = [Text]
+    ).
+
+%   The clause with its variables named.
+
+named(Signatures, Clause, Named) :-
+    copy_term(Clause, Named),
+    Named = (Head :- Body),
+    term_singletons(Named, Singletons),
     maplist(=('$VAR'('_')), Singletons),
     goals(Body, Literals),
     arg(2, Head, Action),
     foldl(name_variables(Signatures), [Action|Literals], [], _),
-    numbervars(Head-Body, 0, _),
-    Options = [quoted(true), numbervars(true), spacing(next_argument)],
-    (   Body == true
-    ->  format(atom(Text), '~W.', [Head, Options])
-    ;   goals(Body, Goals),
-        maplist(goal_text(Options), Goals, Texts),
-        atomic_list_concat(Texts, ', ', BodyText),
-        format(atom(Text), '~W :- ~w.', [Head, Options, BodyText])
-    ).
+    numbervars(Named, 0, _).
 
 name_variables(Signatures, Literal, Named0, Named) :-
     (   compound(Literal),
@@ -111,8 +152,8 @@ goals(Body, [Goal|Goals]) :-
     goals(Rest, Goals).
 goals(Goal, [Goal]).
 
-goal_text(Options, Goal, Text) :-
-    format(atom(Text), '~W', [Goal, Options]).
+term_text(Term, Text) :-
+    format(atom(Text), '~W', [Term, [quoted(true), numbervars(true), spacing(next_argument)]]).
 
 %!  read_model(+File, -Model) is det.
 %

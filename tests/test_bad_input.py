@@ -40,6 +40,7 @@ def play(domain: Domain) -> None:
     actions = domain.situation(state).actions
     domain.expert_actions(state)
     domain.neighbours(state)
+    domain.parts(state)
     for action in actions:
         domain.act(state, action, rng)
 
@@ -222,6 +223,12 @@ RUNNING = {
         "where a number of steps from 0 to 1000000000 is wanted",
     ),
     "horizon fails": ({"more": "horizon(1) :- at(9).\n"}, "horizon/1 failed in the state [at(3)]"),
+    "parts fail": ({"more": "parts([[a]]) :- at(9).\n"}, "parts/1 gave no list of lists in the state [at(3)]"),
+    "parts no list": ({"more": "parts(at(1)).\n"}, "parts/1 gave no list of lists"),
+    "parts no lists": ({"more": "parts([at(1)]).\n"}, "parts/1 gave no list of lists"),
+    "partial part": ({"more": "parts([[a|_]]).\n"}, "parts/1 gave no list of lists"),
+    "open part": ({"more": "parts([[a, f(_)]]).\n"}, "parts/1 gave f(_) in a part (it has an unbound variable)"),
+    "string in a part": ({"more": 'parts([["a"]]).\n'}, 'parts/1 gave "a" in a part (only names'),
     "chance in a test": ({"goal": "goal :- random(X), X > 2.\n"}, "goal/0 drew a random number, which only start/1"),
     "long state": (
         {"start": "start(L) :- findall(at(X), between(1, 20000, X), L).\n", "more": "terminal :- X is a, X > 0.\n"},

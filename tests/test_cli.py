@@ -38,7 +38,7 @@ def test_train_writes_its_files(trained: Path) -> None:
     assert list(rows[0])[:4] == ["episode", "trees", "success", "seconds"]
     assert [int(row["episode"]) for row in rows][::3] == [0, 60]
     summary = json.loads((trained / "run.json").read_text())
-    assert summary["options"]["seed"] == 3 and summary["domain"]["parameters"] == {"blocks": 4}
+    assert summary["options"]["seed"] == 3 and summary["domain"]["parameters"] == {"blocks": 4, "task": "on"}
     assert float(rows[-1]["success"]) == summary["last"]["success"]
 
 
@@ -74,6 +74,7 @@ def test_show_and_play(trained: Path, capsys: pytest.CaptureFixture[str]) -> Non
         (["train", "blocks_wrld"], "did you mean 'blocks_world'"),
         (["train", "blocks_world", "--set", "blcks=3"], "there is no parameter blcks"),
         (["train", "blocks_world", "--set", "blocks"], "--set takes NAME=VALUE"),
+        (["check", "blocks_world", "--set", "blocks"], "--set takes NAME=VALUE"),
         (["train", "blocks_world", "--step-size", "nan"], "step_size"),
         (["train", "blocks_world", "--guidance", "-0.1"], "guidance must be from 0 to 1"),
         (["train", "blocks_world", "--episodes", "-5"], "episodes must be at least 0"),

@@ -226,7 +226,7 @@ def test_the_output_is_a_model_like_any_other(run: Path, capsys: pytest.CaptureF
     model = str(run / "rules.pl")
     distilled = Policy.load(model)
     success = evaluate_exactly(distilled, greedy=True).success
-    assert success == 1.0 and distilled.domain.parameters == {"blocks": 4}
+    assert success == 1.0 and distilled.domain.parameters == {"blocks": 4, "task": "on"}
     text = (run / "rules.pl").read_text()
     assert f"model(success, {success})." in text and "model(starts, 60)." in text and "model(exact, 1)." in text
     shown = distilled.rules(1)

@@ -59,6 +59,7 @@ def holds(domain: Domain, state: State) -> tuple | None:
     assert domain.situation(state).actions == actions, "the order of actions is a function of the state"
     assert set(domain.expert_actions(state)) <= set(actions), "the expert's actions are legal"
     assert all(isinstance(line, str) for line in domain.picture(state))
+    assert all(isinstance(part, tuple) for part in domain.parts(state))
     neighbours = dict(domain.neighbours(state))
     assert list(neighbours) == actions, "every legal action has effects"
     for outcomes in neighbours.values():
@@ -128,3 +129,11 @@ def test_ferry() -> None:
     assert abs(rewards.count((10, over)) / 2000 - 0.75) < 0.04
     assert ferry.situation(over).status == "goal"
     assert ferry.situation((("boat", "left"), ("fuel", 0), ("car", "c1", "left"))).status == "terminal"
+
+
+def test_parts(four_blocks: Domain, delivery: Domain) -> None:
+    """Towers from the floor up where the domain says so, else the facts; and what the goal is about."""
+    state: State = (("goal_on", "b2", "b1"), ("on", "b1", "floor"), ("on", "b2", "floor"), ("on", "b3", "b1"))
+    assert four_blocks.has_parts and four_blocks.parts(state) == (("b1", "b3"), ("b2",))
+    assert four_blocks.binding(state, "goal_on", 2) == ("b2", "b1")
+    assert not delivery.has_parts and delivery.parts(("idle", ("at", "room1"))) == (("idle",), ("at", "room1"))

@@ -105,6 +105,13 @@ def test_what_may_be_left_out() -> None:
     assert bias.tree == TreeLimits() and bias.modes[1] == Mode("rain", ())
 
 
+def test_sentences() -> None:
+    text = HEAD + "modes: [clear(+)]\nsentences:\n  move: put {1} on {2}\n  clear: >\n    nothing is on\n    {1}\n"
+    bias = read(text)
+    assert valid(text) and bias.sentences == {"move": "put {1} on {2}", "clear": "nothing is on {1}"}
+    assert read(HEAD + "modes: [clear(+)]\n").sentences == {}
+
+
 def test_names_that_yaml_takes_for_truth_values() -> None:
     bias = read("action: yes(+no)\ntypes: {on: [no, off], off: []}\nmodes:\n  - on(+no, [yes, true])\n  - off\n")
     assert bias.types == {"on": ("no", "off"), "off": (), "yes": ("no",)}
@@ -126,6 +133,9 @@ def test_fits_is_strict_and_transitive() -> None:
 # ---------------------------------------------------------------- mistakes
 
 MINIMAL = "action: go(+x)\ntypes: {p: [x], q: [x, x]}\nmodes: [p(+)]\n"
+PLACEHOLDER_WANTED = "a placeholder is the number of an argument in braces, like {1}, not"
+SENTENCE_WANTED = 'a sentence like "{1} is clear", in quotes, is wanted, not'
+CUT = "but the literal ends here: YAML ends a text at ' #', and inside { } or [ ] at a comma, unless it is in quotes"
 
 
 @pytest.mark.parametrize(
@@ -213,6 +223,42 @@ MINIMAL = "action: go(+x)\ntypes: {p: [x], q: [x, x]}\nmodes: [p(+)]\n"
         ),
         (MINIMAL + "tree: {max_depth: true}\n", ["4:19: max_depth is a number, not 'true'"]),
         (MINIMAL + "tree: {max_depth: 2.5}\n", ["4:19: max_depth must be a whole number of at least 0, not 2.5"]),
+        (
+            MINIMAL + "sentences: {q: '{1} is {3}, {x}', p: 'at {0}', pp: a, go: goes}\n",
+            [
+                "4:24: {3} stands for no argument of q(x, x)",
+                f"4:29: {PLACEHOLDER_WANTED} '{{x}}'",
+                f"4:42: {PLACEHOLDER_WANTED} '{{0}}'",
+                "4:48: unknown key 'pp' (did you mean 'p'?)",
+                "4:59: the sentence leaves out {1} of go(x)",
+            ],
+        ),
+        (
+            MINIMAL + "sentences:\n  p: '{1'\n  go: '1} goes'\n  p: '{1} twice'\n  q: on {2}\n",
+            [
+                f"5:7: {PLACEHOLDER_WANTED} '{{'",
+                f"6:9: {PLACEHOLDER_WANTED} '}}'",
+                "7:3: the key 'p' is given twice (first on line 5)",
+                "8:6: the sentence leaves out {1} of q(x, x)",
+            ],
+        ),
+        (
+            MINIMAL + 'sentences: {p: "{1}\\nis", q: "{1}{1}{2}", go: {1}}\n',
+            ["4:16: a sentence is one line", f"4:47: {SENTENCE_WANTED} a mapping"],
+        ),
+        (
+            MINIMAL + "sentences: {p: , q: ' ', go: [a]}\n",
+            [
+                f"4:15: {SENTENCE_WANTED} nothing",
+                f"4:22: {SENTENCE_WANTED} ' '",
+                f"4:30: {SENTENCE_WANTED} a list",
+            ],
+        ),
+        (MINIMAL + "sentences: [p]\n", ["4:12: sentences is a mapping (key: value), not a list"]),
+        (
+            MINIMAL.replace("go(+x)", "go(x") + "sentences: {go: '{1} goes', p: '{2}'}\n",
+            [f"1:13: ',' or ')' is wanted, {CUT}", "4:33: {2} stands for no argument of p(x)"],
+        ),
         (MINIMAL + "tree: {max_depth: [1]}\n", ["4:19: max_depth is a number, not a list"]),
     ],
 )
@@ -221,7 +267,6 @@ def test_mistakes_in_the_file(text: str, expected: list[str]) -> None:
 
 
 NO_LITERAL = "a literal like on(+block, -block) is wanted, not"
-CUT = "but the literal ends here: YAML ends a text at ' #', and inside { } or [ ] at a comma, unless it is in quotes"
 
 
 @pytest.mark.parametrize(
@@ -392,6 +437,7 @@ def test_shipped_files(path: Path) -> None:
     text = path.read_text()
     assert text.startswith("# yaml-language-server: $schema=schema.json\n") and valid(text)
     bias = LanguageBias.load(path)
+    assert set(bias.sentences) == set(bias.types)
     if not path.name.startswith("blocks_world"):
         return
     assert bias.roots == ("block", "place", "block", "block")
@@ -404,6 +450,7 @@ def test_the_relational_bias_only_adds() -> None:
     plain_bias, relational = (LanguageBias.load(path) for path in FILES if path.name.startswith("blocks_world"))
     assert set(plain_bias.modes) < set(relational.modes)
     assert (plain_bias.types, plain_bias.tree) == (relational.types, relational.tree)
+    assert plain_bias.sentences == relational.sentences
 
 
 def test_the_schema_knows_the_same_keys_and_defaults() -> None:
@@ -431,6 +478,10 @@ def test_the_schema_knows_the_same_keys_and_defaults() -> None:
         MINIMAL.replace("[p(+)]", "[]"),
         MINIMAL.replace("[p(+)]", "[{lookahead: 0}]"),
         MINIMAL.replace("[x],", "x,"),
+        MINIMAL + "sentences: {p: [a]}\n",
+        MINIMAL + "sentences: {p: '{1} {x}'}\n",
+        MINIMAL + "sentences: {p: '{1} }'}\n",
+        MINIMAL + "sentences: {p: '{0} {1}'}\n",
     ],
 )
 def test_the_schema_refuses_what_the_reader_refuses(text: str) -> None:

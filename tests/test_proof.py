@@ -110,7 +110,7 @@ def test_optimal_rules_are_proven(model, blocks: int, states: int) -> None:
     assert (proof.states, proof.starts) == (states, states - len(goals))
     assert proof.classes == round(sum(1 / size for size in sizes.values()))
     assert proof.complete and proof.success == 1.0 and proof.failures == () and proof.greedy
-    assert proof.parameters == {"blocks": blocks}
+    assert proof.parameters == {"blocks": blocks, "task": "on"}
 
 
 def test_the_stochastic_policy_of_the_same_rules_is_not(model) -> None:

@@ -1,10 +1,12 @@
 :- use_module('../../prolog/domain').
 :- use_module('../../prolog/interpretation').
 
-:- dynamic ferry/1, ferry_file/1.
+:- dynamic ferry/1, ferry_file/1, blocks_file/1.
 :- prolog_load_context(directory, Directory),
    atom_concat(Directory, '/../domains/ferry.pl', File),
-   assertz(ferry_file(File)).
+   assertz(ferry_file(File)),
+   atom_concat(Directory, '/../../domains/blocks_world.pl', Blocks),
+   assertz(blocks_file(Blocks)).
 
 :- begin_tests(domain, [ setup((load([], M), assertz(user:ferry(M)))),
                          cleanup((retract(user:ferry(M)), unload_domain(M))) ]).
@@ -12,6 +14,10 @@
 load(Parameters, Module) :-
     user:ferry_file(File),
     load_domain(File, Parameters, Module, _).
+
+blocks(Module) :-
+    user:blocks_file(File),
+    load_domain(File, [], Module, _).
 
 at([boat(left), fuel(3), car(c1, left), car(c2, left)]).
 
@@ -74,6 +80,9 @@ test(no_single_binding, throws(nppg_fault(_, _-[2]))) :-
     ferry(M), at(Facts),
     interpret(M, Facts),
     binding(M, waiting, 1, _).
+test(parts, [setup(blocks(Blocks)), cleanup(unload_domain(Blocks)), Parts == [[a, c], [b]]]) :-
+    interpret(Blocks, [on(a, floor), on(b, floor), on(c, a), goal_on(a, b)]),
+    parts(Blocks, Parts).
 test(two_instances, [cleanup(unload_domain(Other)), true(Here-There == [c1, c2]-[])]) :-
     ferry(M), at(Facts),
     load([], Other),

@@ -1,0 +1,77 @@
+"""The value-function learners under other options, compared by exact success: the search behind their defaults.
+
+python -m benchmarks.baselines tg --first-seed 100 --seeds 5
+"""
+
+from __future__ import annotations
+
+import argparse
+from statistics import mean, pstdev
+
+from benchmarks.common import successes
+from nppg import Domain, LanguageBias
+from nppg.learners import LEARNERS
+from nppg.shipped import locate
+from nppg.space import Space
+
+MARKS = (500, 1000, 1500, 2000)
+EXPLORATION: list[dict] = [
+    {},
+    {"discount": 0.8},
+    {"discount": 0.95},
+    {"guidance": 0.0},
+    {"guidance": 0.2},
+    {"exploration": "epsilon-greedy"},
+    {"exploration": "epsilon-greedy", "epsilon": 0.3},
+    {"cooling": 0.999},
+    {"min_temperature": 0.003},
+    {"min_temperature": 0.03},
+    {"min_temperature": 0.1},
+]
+OWN: dict[str, list[dict]] = {
+    "tg": [{"min_sample": 50}, {"min_sample": 100}, {"min_sample": 400}, {"significance": 0.01}, {"max_depth": 6}],
+    "rib": [
+        {"mismatch": 0.5},
+        {"mismatch": 2.0},
+        {"mismatch": 5.0},
+        {"local_deviation": 0.0, "global_deviation": 0.0},
+        {"local_deviation": 1.0},
+        {"global_deviation": 0.5},
+        {"max_instances": 200},
+        {"max_instances": 1000},
+        {"removal": "maximum-variance"},
+    ],
+    "trendi": [
+        {"mismatch": 2.0},
+        {"max_instances": 100},
+        {"max_instances": 500},
+        {"min_sample": 50},
+        {"min_sample": 400},
+        {"significance": 0.01},
+        {"max_depth": 3},
+    ],
+}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("learner", choices=OWN)
+    parser.add_argument("--first-seed", type=int, default=100)
+    parser.add_argument("--seeds", type=int, default=5)
+    chosen = parser.parse_args()
+    domain = Domain("blocks_world")
+    bias = LanguageBias.load(locate("blocks_world", "language_bias", ".yaml"))
+    space = Space(domain)
+    print("| options | " + " | ".join(map(str, MARKS)) + f" | sd at {MARKS[-1]} |")
+    print("|---" * (len(MARKS) + 2) + "|", flush=True)
+    for changes in (*EXPLORATION, *OWN[chosen.learner]):
+        seeds = range(chosen.first_seed, chosen.first_seed + chosen.seeds)
+        kind = LEARNERS[chosen.learner]
+        rows = [successes(domain, bias, kind(episodes=MARKS[-1], seed=seed, **changes), MARKS, space) for seed in seeds]
+        means = " | ".join(f"{mean(column):.3f}" for column in zip(*rows, strict=True))
+        name = ", ".join(f"{key} {value}" for key, value in changes.items()) or "the defaults"
+        print(f"| {name} | {means} | {pstdev(row[-1] for row in rows):.3f} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,199 @@
+"""The paper's experiments: many runs of several learners, side by side, each tested as it learns.
+
+Every run is a run of nppg.runs in a folder of its own, with a file `tests.csv` beside the usual ones. A run that has
+been finished with the same settings is not done again.
+"""
+
+from __future__ import annotations
+
+import csv
+import functools
+import json
+import os
+import time
+from collections.abc import Iterator, Mapping
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import asdict, dataclass
+from multiprocessing import get_context
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from nppg.domain import Domain
+from nppg.errors import NppgError
+from nppg.experiments import Experiment
+from nppg.language_bias import LanguageBias
+from nppg.learners import LEARNERS
+from nppg.model import file_hash, replacing
+from nppg.options import Common
+from nppg.prolog import interruptible
+from nppg.runs import Progress, run
+from nppg.shipped import locate
+from nppg.space import Space
+
+EVERY = 50  # episodes between two tests
+_TESTS = "tests.csv"
+
+
+class Tested(NamedTuple):
+    """A test of one run: of the start states of one minimal length, the share of all, the exact success, how many
+    were drawn, and how many of these succeeded."""
+
+    episode: int
+    length: int
+    share: float
+    exact: float
+    drawn: int
+    succeeded: int
+
+
+@dataclass(frozen=True)
+class Job:
+    """One run of an experiment."""
+
+    experiment: Experiment
+    options: Common
+    parameters: Mapping[str, int | float | str]
+    folder: Path
+
+    def is_finished(self) -> bool:
+        """Whether its files are there and come from the same settings, domain and bias."""
+        try:
+            summary = json.loads((self.folder / "run.json").read_text())
+        except (OSError, ValueError):
+            return False
+        name = self.experiment.domain
+        inputs = [locate(name, "domains", ".pl"), locate(name, "language_bias", ".yaml")]
+        return (
+            (self.folder / _TESTS).is_file()
+            and summary["learner"] == self.options.learner
+            and summary["options"] == asdict(self.options)
+            and summary["episodes"] == self.options.episodes
+            and summary["curve"]["starts"] == self.experiment.starts
+            and summary["domain"]["parameters"] == _domain(name, tuple(sorted(self.parameters.items()))).parameters
+            and [summary[each]["sha256"] for each in ("domain", "bias")] == list(map(file_hash, inputs))
+        )
+
+    def result(self) -> str:
+        """What the finished run has come to, in one line."""
+        last = self.summary()["last"]
+        sizes = ", ".join(f"{last[name]} {name}" for name in ("trees", "leaves", "instances") if last[name])
+        return f"success {last['success']:.4f}, {sizes}"
+
+    def tests(self) -> list[Tested]:
+        """Those of the finished run."""
+        kinds = (int, int, float, float, int, int)
+        with (self.folder / _TESTS).open(newline="") as file:
+            _, *rows = csv.reader(file)
+        return [Tested(*(kind(x) for kind, x in zip(kinds, row, strict=True))) for row in rows]
+
+    def summary(self) -> dict:
+        """What run.json says of the finished run."""
+        return json.loads((self.folder / "run.json").read_text())
+
+    def curve(self) -> list[dict[str, str]]:
+        """The points of the finished run's curve.csv."""
+        with (self.folder / "curve.csv").open(newline="") as file:
+            return list(csv.DictReader(file))
+
+
+def jobs(
+    experiment: Experiment, runs: int, episodes: int, parameters: Mapping[str, int | float | str], output: Path
+) -> list[Job]:
+    """All runs of an experiment, learner by learner."""
+    return [
+        Job(
+            experiment,
+            LEARNERS[learner](episodes=episodes, seed=seed),
+            parameters,
+            output / "runs" / f"{learner}-{seed}",
+        )
+        for learner in experiment.learners
+        for seed in range(runs)
+    ]
+
+
+def do(wanted: list[Job], processes: int) -> Iterator[tuple[Job, float]]:
+    """Does the runs that are not finished yet, in `processes` spawned processes. Yields each finished one, with the
+    seconds that it took, 0 where it was there already. Raises NppgError."""
+    missing = [job for job in wanted if not job.is_finished()]
+    yield from ((job, 0.0) for job in wanted if job not in missing)
+    context = get_context("spawn")  # a process that has started Prolog cannot be forked
+    with ProcessPoolExecutor(processes, context) as executor:
+        try:
+            futures = {executor.submit(_run, job): job for job in missing}
+            for future in as_completed(futures):
+                failure, seconds = future.result()
+                if failure:
+                    raise NppgError(failure)
+                yield futures[future], seconds
+        except BaseException:
+            executor.shutdown(wait=False, cancel_futures=True)
+            raise
+
+
+def available_cores() -> int:
+    """Those that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _run(job: Job) -> tuple[str, float]:
+    """Does a run, in a process of its own: what went wrong, and the seconds."""
+    begin = time.perf_counter()
+    try:
+        with interruptible():
+            _learn(job)
+    except NppgError as error:
+        return str(error), 0.0
+    return "", time.perf_counter() - begin
+
+
+def _learn(job: Job) -> None:
+    domain, bias, space = _prepared(job.experiment.domain, tuple(sorted(job.parameters.items())))
+    drawn = space.draw(job.experiment.starts, np.random.default_rng(0x74657374))
+    found: list[Tested] = []
+
+    def test(progress: Progress) -> None:
+        if progress.point:
+            found.extend(_test(progress, drawn))
+        if progress.ended:
+            replacing(job.folder / _TESTS, lambda path: _write(found, path))
+
+    run(domain, bias, job.options, job.folder, EVERY, job.experiment.starts, test, space=space)
+
+
+@functools.cache
+def _domain(name: str, parameters: tuple) -> Domain:
+    return Domain(name, dict(parameters))
+
+
+@functools.cache
+def _prepared(name: str, parameters: tuple) -> tuple[Domain, LanguageBias, Space]:
+    """What the runs of a process share: the domain, its language bias, its space."""
+    domain = _domain(name, parameters)
+    return domain, LanguageBias.load(locate(name, "language_bias", ".yaml")), Space(domain)
+
+
+def _test(progress: Progress, drawn: np.ndarray) -> Iterator[Tested]:
+    """The policy as it is by now, by the minimal length of the start."""
+    evaluator, point = progress.evaluator, progress.point
+    assert evaluator and point
+    space, episode = evaluator.space, point.episode
+    rng = np.random.default_rng([progress.options.seed, episode])
+    succeeded = evaluator.sample(drawn, rng)
+    success, _ = evaluator.by_class()
+    lengths = np.array(space.horizons)
+    weights = np.array([size / space.starts for size in space.sizes]) * space.running
+    for length in np.unique(lengths[space.running]).tolist():
+        among = weights * (lengths == length)
+        here = lengths[drawn] == length
+        share = float(among.sum())
+        exact = float((among * success).sum() / share)
+        yield Tested(episode, length, share, exact, int(here.sum()), int(succeeded[here].sum()))
+
+
+def _write(tests: list[Tested], path: Path) -> None:
+    with path.open("w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerows([Tested._fields, *tests])

@@ -1,0 +1,1 @@
+"""Relational Q-learning (RRL) with the incremental regressors TG, RIB and TRENDI."""

@@ -1,0 +1,163 @@
+"""The first-order distance of RIB between state-action pairs (Driessens and Ramon 2003).
+
+Objects are known by what they are to the goal and to the action, not by their names. A *role* is an argument of the
+goal template or of an action; an object that plays one is renamed to the first role that it plays, in the order goal,
+action. Objects that are interchangeable and play no role all have the name of their kind, and constants keep theirs.
+In a domain that declares nothing interchangeable, every argument that is no number counts as an object. The distance is
+
+    mismatch * (roles whose labels differ, and 1 for another kind of action) + distance of the states,
+
+the label of a role being the object's name or the constant, and roles of another kind of action being other roles;
+states are sets of parts, which a domain may define by parts/1, compared as in matching.py. How large the paper's
+penalty is, is unknown. A sum of metrics, this is one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from nppg.domain import Action, Domain, Ground, State
+from nppg.errors import NppgError
+from nppg.language_bias import LanguageBias
+from nppg.rrl.matching import PartSets, grown
+
+_REMEMBERED = (2**15, 2**12)  # sets of parts of `pairs` and of `others` whose distances are remembered: 128 MB at most
+_FAR = 255  # so far and farther is not remembered
+
+
+class PairDistance:
+    """Numbers classes of state-action pairs that look alike, and gives the distances between them.
+
+    What is interchangeable is looked up in the first state. Raises NppgError where scipy is missing, or for a mismatch
+    that is not above 0.
+    """
+
+    def __init__(self, domain: Domain, bias: LanguageBias, mismatch: float = 1.0):
+        if not 0 < mismatch < np.inf:
+            raise NppgError(f"the mismatch penalty must be above 0 and finite, not {mismatch}")
+        self.domain = domain
+        self.goal = bias.goal
+        self.mismatch = mismatch
+        self._sets = PartSets()
+        self._kinds: dict[Ground, str] | None = None  # of the interchangeable objects
+        self._symbols: dict[object, int] = {}
+        self._classes: dict[tuple[int, ...], int] = {}
+        self._set_of = np.zeros(0, np.int64)  # of each class: its set of parts, and the labels of its roles
+        self._labels = np.zeros((0, 0), np.int64)
+        self._examples: list[tuple[State, Action]] = []
+        self._forget()
+
+    def __len__(self) -> int:
+        """How many classes have been met."""
+        return len(self._classes)
+
+    def example(self, number: int) -> tuple[State, Action]:
+        """The pair that a class was met with first."""
+        return self._examples[number]
+
+    # -------------------------------------------------- classes
+
+    def describe(self, state: State, actions: Sequence[Action]) -> np.ndarray:
+        """The number of each action's class, shape (actions,)."""
+        if self._kinds is None:
+            self._kinds = self._interchangeable(state)
+        parts = self.domain.parts(state)
+        goal: tuple[Ground, ...] = ()
+        if self.goal:
+            arity = len(self.goal.types)
+            goal = self.domain.binding(state, self.goal.name, arity)
+            if not self.domain.has_parts:
+                parts = tuple(part for part in parts if (part[0], len(part) - 1) != (self.goal.name, arity))
+        return np.array([self._class(state, action, goal, parts) for action in actions], np.int64)
+
+    def _interchangeable(self, state: State) -> dict[Ground, str]:
+        self.domain.visit(state)
+        kinds: dict[Ground, str] = {}
+        for name in self.domain.interchangeable:
+            for each in self.domain.members(name):
+                kinds[each] = f"{kinds.get(each, '')} {name}"
+        return kinds
+
+    def _class(
+        self, state: State, action: Action, goal: tuple[Ground, ...], parts: tuple[tuple[Ground, ...], ...]
+    ) -> int:
+        name, *args = action if isinstance(action, tuple) else (action,)
+        kind = self._number((None, name, len(args)))
+        labels = [kind]
+        names: dict[Ground, int] = {}
+        for owner, values in ((None, goal), (kind, args)):
+            for i, each in enumerate(values):
+                if each not in names and self._is_object(each):
+                    names[each] = self._number((None, owner, i, None))
+                labels.append(self._symbol(each, names))
+        number = self._sets.number(tuple([self._symbol(each, names) for each in part]) for part in parts)
+        key = (number, *labels)
+        found = self._classes.setdefault(key, len(self._classes))
+        if found == len(self._examples):
+            self._examples.append((state, action))
+            self._set_of = grown(self._set_of, found + 1)
+            self._set_of[found] = number
+            self._labels = grown(self._labels, found + 1, len(labels))
+            self._labels[found, : len(labels)] = labels
+        return found
+
+    def _is_object(self, term: Ground) -> bool:
+        return term in self._kinds if self._kinds else not isinstance(term, int | float)
+
+    def _symbol(self, term: Ground, names: dict[Ground, int]) -> int:
+        if term in names:
+            return names[term]
+        if isinstance(term, tuple):
+            return self._number((term[0], *(self._symbol(arg, names) for arg in term[1:])))
+        assert self._kinds is not None
+        return self._number((None, self._kinds[term]) if term in self._kinds else term)
+
+    def _number(self, item: object) -> int:
+        """Numbers what parts and labels are made of, from 1: constants and, as tuples, compounds, which begin with a
+        string, and names of nppg's own, which begin with None."""
+        return self._symbols.setdefault(item, len(self._symbols) + 1)
+
+    # -------------------------------------------------- distances
+
+    def rows(self, pairs: np.ndarray, others: np.ndarray) -> np.ndarray:
+        """The distances of classes, by their numbers, from others; float64, shape (pairs, others)."""
+        distances = self._between(self._set_of[pairs], self._set_of[others]).astype(float)
+        for role in range(self._labels.shape[1]):
+            distances += self.mismatch * (self._labels[pairs, role, None] != self._labels[others, role])
+        return distances
+
+    def _between(self, lefts: np.ndarray, rights: np.ndarray) -> np.ndarray:
+        """The distances of sets of parts, from memory as far as it goes. What it has not room for makes it begin anew,
+        so that `others` should be fewer than `pairs` over time, as instances are."""
+        rows, columns = self._slots(0, lefts), self._slots(1, rights)
+        if rows is None or columns is None:
+            self._forget()
+            rows, columns = self._slots(0, lefts), self._slots(1, rights)
+        if rows is None or columns is None:
+            every = np.broadcast_arrays(lefts[:, None], rights)
+            return self._sets.distances(every[0].ravel(), every[1].ravel()).reshape(every[0].shape)
+        found = self._memory[rows[:, None], columns].astype(np.int64)
+        missing = np.nonzero(found == 0)
+        if len(missing[0]):
+            new = self._sets.distances(lefts[missing[0]], rights[missing[1]]) + 1
+            found[missing] = new
+            self._memory[rows[missing[0]], columns[missing[1]]] = np.where(new <= _FAR, new, 0)
+        return found - 1
+
+    def _forget(self) -> None:
+        self._memory = np.zeros(_REMEMBERED, np.uint8)  # distance + 1, or 0; zeros take no room before they are used
+        self._places = [np.zeros(0, np.int32), np.zeros(0, np.int32)]  # of each set in each dimension, + 1, or 0
+        self._used = [0, 0]
+
+    def _slots(self, axis: int, sets: np.ndarray) -> np.ndarray | None:
+        """Where sets have their place in memory, None if there is not room for all."""
+        self._places[axis] = places = grown(self._places[axis], len(self._sets))
+        if not places[sets].all():
+            new = np.unique(sets[places[sets] == 0])
+            if self._used[axis] + len(new) > _REMEMBERED[axis]:
+                return None
+            places[new] = np.arange(len(new)) + self._used[axis] + 1
+            self._used[axis] += len(new)
+        return places[sets] - 1

@@ -1,0 +1,166 @@
+"""RIB: instance-based regression on a relational distance (Driessens and Ramon 2003), in bounded memory.
+
+The prediction for a pair i is the mean of the instances' values weighted by nearness,
+
+    q(i) = sum_j(q_j / d_ij) / sum_j(1 / d_ij),
+
+the value of the instance at distance 0 where there is one, and 0 as long as there is no instance. An example is kept
+out where its prediction is good already, judged by how far values deviate nearby and on the whole; and where memory
+is full, an instance is removed. The two limits and the two ways of removal are the paper's in kind; their formulas and
+numbers, as they stand here, are choices of nppg, the paper's own being unknown.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+
+from nppg.rrl.options import InstanceOptions
+
+_NEWS = 1e-6  # an error up to this is never worth an instance
+_ROWS = 64  # of a square matrix that are worked on together, so that they stay in the processor's cache
+
+
+class Distance(Protocol):
+    """Between numbered things."""
+
+    def rows(self, pairs: np.ndarray, others: np.ndarray) -> np.ndarray:
+        """Distances of shape (pairs, others)."""
+
+
+class Instances:
+    """A regressor over the numbers of a distance's classes. Every class is stored at most once."""
+
+    def __init__(self, distance: Distance, options: InstanceOptions):
+        self.distance = distance
+        self.options = options
+        room = options.max_instances + 1  # one comes in before one goes
+        self._size = 0
+        self._pairs = np.zeros(room, np.int64)
+        self._values = np.zeros(room)
+        # 1 / d_ij between instances, 0 on the diagonal; only for the choice of what to remove, so precise enough
+        self._weights = np.zeros((room, room), np.float32)
+
+    def __len__(self) -> int:
+        return self._size
+
+    @property
+    def pairs(self) -> np.ndarray:
+        """The classes of the instances, shape (instances,)."""
+        return self._pairs[: self._size].copy()
+
+    @property
+    def values(self) -> np.ndarray:
+        """Their values, in the same order."""
+        return self._values[: self._size].copy()
+
+    def predict(self, pairs: np.ndarray) -> np.ndarray:
+        """q of each class, shape (pairs,)."""
+        return self._predicted(self.distance.rows(pairs, self._pairs[: self._size]))
+
+    def _predicted(self, distances: np.ndarray) -> np.ndarray:
+        if self._size == 0:
+            return np.zeros(len(distances))
+        with np.errstate(divide="ignore"):
+            weights = 1 / distances
+        there = distances == 0
+        hit = there.any(axis=1)
+        weights[hit] = there[hit]
+        return weights @ self._values[: self._size] / weights.sum(axis=1)
+
+    def update(self, pair: int, value: float) -> None:
+        """Learns from one example. The value of a class that is stored becomes that of the example."""
+        distances = self.distance.rows(np.array([pair]), self._pairs[: self._size])
+        same = np.flatnonzero(distances[0] == 0)
+        if len(same):
+            self._values[same] = value
+        elif self._is_news(abs(value - self._predicted(distances)[0]), distances[0]):
+            self._append(pair, value, distances[0])
+            if self._size > self.options.max_instances:
+                self._remove(self._least())
+
+    def store(self, pair: int, value: float) -> None:
+        """Takes in an instance without asking whether it is news, as from a file. The class must be a new one."""
+        if self._size == self.options.max_instances:
+            raise ValueError(f"there is room for {self.options.max_instances} instances only")
+        self._append(pair, value, self.distance.rows(np.array([pair]), self._pairs[: self._size])[0])
+
+    def _is_news(self, error: float, distances: np.ndarray) -> bool:
+        """Whether an example is so badly predicted that it should be stored: its error is more than `global_deviation`
+        times the standard deviation of all values and `local_deviation` times that of its nearest neighbours'."""
+        options, values = self.options, self._values[: self._size]
+        if error <= _NEWS or error <= options.global_deviation * _deviation(values):
+            return False
+        if self._size > options.neighbours:
+            values = values[np.argpartition(distances, options.neighbours)[: options.neighbours]]
+        return error > options.local_deviation * _deviation(values)
+
+    def _append(self, pair: int, value: float, distances: np.ndarray) -> None:
+        last = self._size
+        self._pairs[last], self._values[last] = pair, value
+        self._weights[last, :last] = self._weights[:last, last] = 1 / distances
+        self._size += 1
+
+    def _remove(self, gone: int) -> None:
+        """The last instance takes the place of the one that goes."""
+        self._size = last = self._size - 1
+        for array in (self._pairs, self._values, self._weights, self._weights.T):
+            array[gone] = array[last]
+        self._weights[gone, gone] = 0
+
+    # -------------------------------------------------- which instance to remove
+
+    def _least(self) -> int:
+        if self.options.removal == "maximum-variance":
+            excess = self.variance_excess()
+            if excess.max() > 0:
+                return int(excess.argmax())
+        return int(self.error_contributions().argmin())
+
+    def error_contributions(self) -> np.ndarray:
+        """What removing an instance costs, shape (instances,): the error of its own prediction from the others, and by
+        how much such errors of the others grow in all. There must be three instances or more.
+
+        Without its own error an instance that differs from its neighbours would always be the first to go, and as only
+        what differs comes in, memory would keep what it held when it was first full.
+
+        With T_i = sum_j w_ij and S_i = sum_j w_ij q_j, the error of i without k is
+
+            |q_i - (S_i - w_ik q_k) / (T_i - w_ik)| = |q_i T_i - S_i - w_ik (q_i - q_k)| / (T_i - w_ik).
+        """
+        n = self._size
+        weights, values = self._weights[:n, :n], self._values[:n].astype(np.float32)
+        totals = weights.sum(axis=1)
+        offsets = values * totals - weights @ values
+        summed = np.zeros(n)
+        for start in range(0, n, _ROWS):
+            some = slice(start, start + _ROWS)
+            errors = values[some, None] - values
+            errors *= weights[some]
+            np.subtract(offsets[some, None], errors, out=errors)
+            np.abs(errors, out=errors)
+            errors /= totals[some, None] - weights[some]
+            summed += errors.sum(axis=0)
+        own = np.abs(offsets) / totals
+        return summed - own.sum() + own  # in both sums the instance's own error is there and the same
+
+    def variance_excess(self) -> np.ndarray:
+        """By how much an instance's slopes |q_i - q_j| / d_ij exceed `max_gradient` in all, shape (instances,). An M
+        that is too small for the values keeps what is new out of a full memory."""
+        n = self._size
+        weights, values = self._weights[:n, :n], self._values[:n].astype(np.float32)
+        excess = np.zeros(n)
+        for start in range(0, n, _ROWS):
+            some = slice(start, start + _ROWS)
+            slopes = values[some, None] - values
+            np.abs(slopes, out=slopes)
+            slopes *= weights[some]
+            slopes -= self.options.max_gradient
+            np.maximum(slopes, 0, out=slopes)
+            excess[some] = slopes.sum(axis=1)
+        return excess
+
+
+def _deviation(values: np.ndarray) -> float:
+    return float(values.std()) if len(values) else 0.0

@@ -1,0 +1,33 @@
+"""The regressor that some options are about."""
+
+from __future__ import annotations
+
+from weakref import WeakKeyDictionary
+
+from nppg.coverage import root_table
+from nppg.domain import Domain
+from nppg.language_bias import LanguageBias
+from nppg.refinement import Refiner
+from nppg.rrl.distance import PairDistance
+from nppg.rrl.instance_tree import InstanceTree
+from nppg.rrl.options import InstanceOptions, QOptions, TGOptions
+from nppg.rrl.qfunction import Regressor
+from nppg.rrl.tg import TG
+
+_distances: WeakKeyDictionary[Domain, dict[tuple, PairDistance]] = WeakKeyDictionary()
+
+
+def regressor(domain: Domain, bias: LanguageBias, options: QOptions) -> Regressor:
+    """A new one that has learned nothing."""
+    refiner = Refiner(bias)
+    table = root_table(domain, bias, refiner)
+    if isinstance(options, InstanceOptions):
+        return InstanceTree(table, refiner, distance(domain, bias, options.mismatch), options)
+    assert isinstance(options, TGOptions)
+    return TG(table, refiner, options)
+
+
+def distance(domain: Domain, bias: LanguageBias, mismatch: float) -> PairDistance:
+    """The one of a domain, whose runs share what it remembers."""
+    known = _distances.setdefault(domain, {})
+    return known.setdefault((bias.goal, mismatch), PairDistance(domain, bias, mismatch))
