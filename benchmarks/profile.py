@@ -21,7 +21,7 @@ from nppg.policy import Policy
 from nppg.refinement import Refiner
 
 STAGES: list[tuple[Any, str, str]] = [
-    (nppg.training, "generate_episode", "the loop of an episode, choosing"),
+    (nppg.episode, "generate_episode", "the loop of an episode, choosing"),
     (TestTable, "answers", "unpacking the answers"),
     (Forest, "sums", "summing the trees"),
     (nppg.training, "examples", "the functional gradient"),
@@ -29,6 +29,7 @@ STAGES: list[tuple[Any, str, str]] = [
     (Refiner, "refinements", "refinements of a node"),
     (Coverage, "matrix", "gathering a node's answers"),
     (nppg.tilde, "best_split", "the best split"),
+    (nppg.tilde, "best_step", "the best split of a second-order step"),
     (Policy, "add", "adding a tree: clauses and arrays"),
 ]
 
