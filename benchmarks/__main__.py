@@ -1,7 +1,7 @@
 """Prints the table of docs/performance.md.
 
 python -m benchmarks [NAME...] [--write docs/performance.md]     NAME: coverage, one_tree, potentials, training
-python -m benchmarks profile [--write docs/performance.md]       where the time of a training run goes
+python -m benchmarks profile [--write docs/performance.md]       where the time of a training run of each learner goes
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def main() -> None:
             print(lines[-1], flush=True)
         splice(chosen.write, "table", "\n".join(lines))
     if "profile" in chosen.names:
-        text = import_module("benchmarks.profile").table()
+        text = import_module("benchmarks.profile").tables()
         print(text)
         splice(chosen.write, "profile", text)
 

@@ -31,24 +31,23 @@ EXPLORATION: list[dict] = [
 OWN: dict[str, list[dict]] = {
     "tg": [{"min_sample": 50}, {"min_sample": 100}, {"min_sample": 400}, {"significance": 0.01}, {"max_depth": 6}],
     "rib": [
-        {"mismatch": 0.5},
-        {"mismatch": 2.0},
         {"mismatch": 5.0},
-        {"local_deviation": 0.0, "global_deviation": 0.0},
-        {"local_deviation": 1.0},
-        {"global_deviation": 0.5},
-        {"max_instances": 200},
-        {"max_instances": 1000},
+        {"mismatch": 20.0},
+        {"local_deviation": 0.5, "global_deviation": 0.1},
+        {"max_instances": 1500},
+        {"max_instances": 1500, "mismatch": 20.0},
         {"removal": "maximum-variance"},
+        {"power": 3.0, "mismatch": 3.0},
+        {"power": 3.0, "mismatch": 3.0, "max_instances": 1500},
     ],
     "trendi": [
-        {"mismatch": 2.0},
+        {"mismatch": 5.0},
+        {"max_instances": 50},
         {"max_instances": 100},
-        {"max_instances": 500},
-        {"min_sample": 50},
-        {"min_sample": 400},
-        {"significance": 0.01},
-        {"max_depth": 3},
+        {"max_instances": 100, "mismatch": 5.0},
+        {"max_instances": 100, "min_sample": 100},
+        {"max_instances": 100, "significance": 0.01},
+        {"power": 3.0, "mismatch": 3.0},
     ],
 }
 
@@ -58,13 +57,14 @@ def main() -> None:
     parser.add_argument("learner", choices=OWN)
     parser.add_argument("--first-seed", type=int, default=100)
     parser.add_argument("--seeds", type=int, default=5)
+    parser.add_argument("--own", action="store_true", help="leave out the options of the exploration")
     chosen = parser.parse_args()
     domain = Domain("blocks_world")
     bias = LanguageBias.load(locate("blocks_world", "language_bias", ".yaml"))
     space = Space(domain)
     print("| options | " + " | ".join(map(str, MARKS)) + f" | sd at {MARKS[-1]} |")
     print("|---" * (len(MARKS) + 2) + "|", flush=True)
-    for changes in (*EXPLORATION, *OWN[chosen.learner]):
+    for changes in (*EXPLORATION, *OWN[chosen.learner]) if not chosen.own else ({}, *OWN[chosen.learner]):
         seeds = range(chosen.first_seed, chosen.first_seed + chosen.seeds)
         kind = LEARNERS[chosen.learner]
         rows = [successes(domain, bias, kind(episodes=MARKS[-1], seed=seed, **changes), MARKS, space) for seed in seeds]

@@ -4,7 +4,7 @@ States are taken up to renaming the blocks other than A and B, and the truth of 
 the move and the A and B of the goal is tabled for every state and action beforehand. What is left is Algorithm 1
 itself, in NumPy. It can express nothing else: it is there to hold the real system's time against.
 
-    python -m benchmarks.floor [--episodes 2000] [--seed 0] [--blocks 10] [--second-order]
+    python -m benchmarks.floor [--episodes 2000] [--seed 0] [--blocks 10]
 """
 
 from __future__ import annotations
@@ -17,11 +17,9 @@ from math import factorial, prod
 import numpy as np
 
 from benchmarks.common import timed
-from nppg import Options
 
 Towers = tuple[str, ...]  # from the bottom up, sorted: A, B, and o for every other block
 FLOOR = (-1, -1)  # a place is (tower, level)
-STEP = Options(step="second-order")  # nppg's defaults
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,8 +143,8 @@ def train(
     max_depth: int = 4,
     second_order: bool = False,
 ) -> tuple[np.ndarray, int]:
-    """Algorithm 1 with the paper's settings: the potential of every action, and the number of trees. Second-order steps
-    learn nothing from episodes without success."""
+    """Algorithm 1 with the paper's settings, or with second-order steps: the potential of every action, and the number
+    of trees."""
     rng = np.random.default_rng(seed)
     starts, distribution, optimal = world.starts, world.start_distribution(), world.optimal
     values = world.tests.astype(float)
@@ -171,16 +169,14 @@ def train(
                 break
         won = float(world.moves_left[state] == 0)
         for a, b, probabilities, chosen in steps if won or not second_order else ():
-            weight = won * probabilities[chosen] ** (STEP.importance if second_order else 1)
-            gradient = -weight * probabilities
-            gradient[chosen] += weight
+            gradient = -won * probabilities[chosen] * probabilities
+            gradient[chosen] += won * probabilities[chosen]
             rows.append(np.arange(a, b))
             gradients.append(gradient)
-            if second_order:
-                curvatures.append(probabilities * (1 - probabilities))
+            curvatures.append(probabilities * (1 - probabilities) if second_order else np.ones(b - a))
         if sum(map(len, rows)) > min_examples:
-            weights = np.concatenate(curvatures) if second_order else None
-            tree = _grow(world.tests, values, np.concatenate(rows), np.concatenate(gradients), weights, max_depth)
+            gathered = map(np.concatenate, (rows, gradients, curvatures))
+            tree = _grow(world.tests, values, *gathered, max_depth, 1.0 if second_order else 0.0)
             _add(world.tests, tree, everywhere, potential)
             trees += 1
             rows, gradients, curvatures = [], [], []
@@ -192,31 +188,28 @@ def _grow(
     values: np.ndarray,
     rows: np.ndarray,
     targets: np.ndarray,
-    curvatures: np.ndarray | None,
+    weights: np.ndarray,
     depth: int,
+    regularisation: float,
 ) -> Tree:
-    """A regression tree of means, split by weighted variance, or of second-order steps; at least two examples in a
-    leaf."""
-    count, total = len(targets), targets.sum()
-    if curvatures is None:
-        whole, extra, leaf = count, 0.0, total / count
-    else:
-        whole, extra = curvatures.sum(), STEP.regularisation
-        leaf = min(max(total / (whole + extra), -STEP.clip), STEP.clip)
+    """A regression tree with at least two examples in a leaf, split by weighted variance where the weights are 1 and
+    there is no regularisation, else by second-order gain."""
+    count, total, whole = len(targets), targets.sum(), weights.sum() + regularisation
+    leaf = float(np.clip(total / whole, -3, 3))
     if depth == 0 or count < 4 or targets.var() < 1e-6:
         return leaf
     held = values[rows]
     n1, s1 = held.sum(axis=0), targets @ held
-    w1 = n1 if curvatures is None else curvatures @ held
+    w1 = weights @ held + regularisation if regularisation else n1
     with np.errstate(all="ignore"):
-        kept = s1**2 / (w1 + extra) + (total - s1) ** 2 / (whole - w1 + extra)
+        kept = s1**2 / w1 + (total - s1) ** 2 / (whole + regularisation - w1)
     kept[(n1 < 2) | (count - n1 < 2)] = -np.inf
     best = int(np.argmax(kept))
-    if not kept[best] > total**2 / (whole + extra) + 1e-9:
+    if not kept[best] > total**2 / whole + 1e-9:
         return leaf
     yes = tests[rows, best]
     branches = (
-        _grow(tests, values, rows[mask], targets[mask], None if curvatures is None else curvatures[mask], depth - 1)
+        _grow(tests, values, rows[mask], targets[mask], weights[mask], depth - 1, regularisation)
         for mask in (yes, ~yes)
     )
     return best, *branches
@@ -253,9 +246,8 @@ def main() -> None:
     parser.add_argument("--second-order", action="store_true")
     chosen = parser.parse_args()
     tabling, world = timed(lambda: tables(chosen.blocks))
-    training, (potential, trees) = timed(
-        lambda: train(world, chosen.episodes, chosen.seed, second_order=chosen.second_order)
-    )
+    second = chosen.second_order
+    training, (potential, trees) = timed(lambda: train(world, chosen.episodes, chosen.seed, second_order=second))
     share = success(world, potential)
     print(f"{training:.3f} s, after {tabling:.3f} s for the tables; {trees} trees, success {share:.6f}")
 

@@ -17,8 +17,14 @@ from benchmarks.common import timed
 from benchmarks.training import learn
 from nppg.coverage import Coverage, TestTable
 from nppg.forest import Forest
+from nppg.learners import LEARNERS
+from nppg.options import Common
 from nppg.policy import Policy
 from nppg.refinement import Refiner
+from nppg.rrl.distance import PairDistance
+from nppg.rrl.instance_tree import InstanceTree
+from nppg.rrl.instances import Instances
+from nppg.rrl.tg import TG
 
 STAGES: list[tuple[Any, str, str]] = [
     (nppg.episode, "generate_episode", "the loop of an episode, choosing"),
@@ -31,6 +37,12 @@ STAGES: list[tuple[Any, str, str]] = [
     (nppg.tilde, "best_split", "the best split"),
     (nppg.tilde, "best_step", "the best split of a second-order step"),
     (Policy, "add", "adding a tree: clauses and arrays"),
+    (TG, "update", "statistics and splits of TG"),
+    (InstanceTree, "predict", "predictions from instances"),
+    (InstanceTree, "update", "storing instances, looking for splits"),
+    (Instances, "_least", "choosing the instance to remove"),
+    (PairDistance, "describe", "the classes of pairs"),
+    (PairDistance, "rows", "distances"),
 ]
 
 
@@ -72,16 +84,22 @@ def _wrapped(clock: Clock) -> Iterator[None]:
             setattr(owner, name, function)
 
 
-def table(seed: int = 0, episodes: int = 2000) -> str:
-    """The profile of a run, in Markdown."""
+def tables(seed: int = 0, episodes: int = 2000) -> str:
+    """The profile of a run of each learner, in Markdown."""
+    return "\n\n".join(
+        f"{learner}, {episodes} episodes:\n\n{_table(options(episodes, seed))}" for learner, options in LEARNERS.items()
+    )
+
+
+def _table(options: Common) -> str:
     clock = Clock()
     with _wrapped(clock):
-        total, _ = timed(lambda: learn(seed, episodes))
+        total, _ = timed(lambda: learn(options))
     shown = sorted(((seconds, key) for key, seconds in clock.seconds.items()), reverse=True)
     rows = [
         f"| {key} | {clock.calls[key]} | {1e6 * seconds / clock.calls[key]:.0f} | {seconds / total:.1%} |"
         for seconds, key in shown
-        if seconds / total >= 0.0005
+        if seconds / total >= 0.005
     ]
     rest = 1 - sum(seconds for seconds, _ in shown) / total
     head = ["| where | calls | µs a call | share |", "|---|---:|---:|---:|"]

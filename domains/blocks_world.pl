@@ -164,9 +164,11 @@ stacked([Block|Row], I, Bottoms, Below, [on(Block, Under)|Facts]) :-
     Next is I + 1,
     stacked(Row, Next, Later, Block, Facts).
 
-% The towers, each from the floor up.
+% The towers, each from the floor up. Sorted: the order of the facts is that in which they came to hold.
 
-parts(Towers) :- findall(Tower, ( on(Bottom, floor), tower(Bottom, Tower) ), Towers).
+parts(Sorted) :-
+    findall(Tower, ( on(Bottom, floor), tower(Bottom, Tower) ), Towers),
+    sort(Towers, Sorted).
 
 tower(Block, [Block|Above]) :- on(Next, Block), !, tower(Next, Above).
 tower(Block, [Block]).

@@ -87,7 +87,8 @@ drawing(Module, Lines) :-
 %!  parts_of(+Module, -Data) is det: the lists that the current state consists of.
 
 parts_of(Module, Data) :-
-    parts(Module, Parts),
+    parts(Module, Unordered),
+    msort(Unordered, Parts),     % the order of answers follows that in which facts came to be
     maplist(maplist(encode), Parts, Data).
 
 %!  binding_of(+Module, +Name, +Arity, -Data) is det: the arguments of the goal's only answer.

@@ -134,6 +134,8 @@ def test_ferry() -> None:
 def test_parts(four_blocks: Domain, delivery: Domain) -> None:
     """Towers from the floor up where the domain says so, else the facts; and what the goal is about."""
     state: State = (("goal_on", "b2", "b1"), ("on", "b1", "floor"), ("on", "b2", "floor"), ("on", "b3", "b1"))
+    before: State = (("on", "b1", "b2"), ("on", "b2", "floor"), ("on", "b3", "b1"))
+    assert four_blocks.parts(before) == (("b2", "b1", "b3"),)
     assert four_blocks.has_parts and four_blocks.parts(state) == (("b1", "b3"), ("b2",))
     assert four_blocks.binding(state, "goal_on", 2) == ("b2", "b1")
     assert not delivery.has_parts and delivery.parts(("idle", ("at", "room1"))) == (("idle",), ("at", "room1"))

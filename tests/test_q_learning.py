@@ -66,8 +66,8 @@ def test_value_functions_are_evaluated_greedily(learned: QFunction) -> None:
     assert evaluate_exactly(learned).greedy and evaluate(learned, 50) == evaluate(learned, 50, greedy=True)
 
 
-# Measured on seeds 0 to 4: the lowest success was at least 0.1 higher.
-@pytest.mark.parametrize("learner,episodes,success", [("tg", 2000, 0.8)])
+# On seeds 0 to 4 the successes are 0.80 to 0.97, 0.96 to 0.98 and 0.95 to 1.
+@pytest.mark.parametrize("learner,episodes,success", [("tg", 2000, 0.75), ("rib", 600, 0.9), ("trendi", 600, 0.9)])
 def test_five_blocks_are_learned(plain_bias, learner: str, episodes: int, success: float) -> None:
     domain = Domain("blocks_world", {"blocks": 5})
     *_, last = train(domain, plain_bias, LEARNERS[learner](episodes=episodes, seed=1))

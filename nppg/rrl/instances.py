@@ -2,7 +2,7 @@
 
 The prediction for a pair i is the mean of the instances' values weighted by nearness,
 
-    q(i) = sum_j(q_j / d_ij) / sum_j(1 / d_ij),
+    q(i) = sum_j(q_j / d_ij^power) / sum_j(1 / d_ij^power),
 
 the value of the instance at distance 0 where there is one, and 0 as long as there is no instance. An example is kept
 out where its prediction is good already, judged by how far values deviate nearby and on the whole; and where memory
@@ -39,7 +39,7 @@ class Instances:
         self._size = 0
         self._pairs = np.zeros(room, np.int64)
         self._values = np.zeros(room)
-        # 1 / d_ij between instances, 0 on the diagonal; only for the choice of what to remove, so precise enough
+        # 1 / d_ij^power between instances, 0 on the diagonal; only for the choice of what to remove: precise enough
         self._weights = np.zeros((room, room), np.float32)
 
     def __len__(self) -> int:
@@ -63,7 +63,7 @@ class Instances:
         if self._size == 0:
             return np.zeros(len(distances))
         with np.errstate(divide="ignore"):
-            weights = 1 / distances
+            weights = distances**-self.options.power
         there = distances == 0
         hit = there.any(axis=1)
         weights[hit] = there[hit]
@@ -99,7 +99,7 @@ class Instances:
     def _append(self, pair: int, value: float, distances: np.ndarray) -> None:
         last = self._size
         self._pairs[last], self._values[last] = pair, value
-        self._weights[last, :last] = self._weights[:last, last] = 1 / distances
+        self._weights[last, :last] = self._weights[:last, last] = distances**-self.options.power
         self._size += 1
 
     def _remove(self, gone: int) -> None:
@@ -149,7 +149,7 @@ class Instances:
         """By how much an instance's slopes |q_i - q_j| / d_ij exceed `max_gradient` in all, shape (instances,). An M
         that is too small for the values keeps what is new out of a full memory."""
         n = self._size
-        weights, values = self._weights[:n, :n], self._values[:n].astype(np.float32)
+        weights, values = self._weights[:n, :n] ** (1 / self.options.power), self._values[:n].astype(np.float32)
         excess = np.zeros(n)
         for start in range(0, n, _ROWS):
             some = slice(start, start + _ROWS)

@@ -45,10 +45,11 @@ class InstanceOptions(QOptions):
     """What RIB stores, and what it removes."""
 
     mismatch: float = option(1.0, "distance for each argument of goal and action that is another one", low=1e-9)
+    power: float = option(1.0, "power of the distances that weight a prediction; the paper's is 1", low=0.1, high=20)
     neighbours: int = option(30, "nearest instances whose values' standard deviation is the local deviation", low=1)
     local_deviation: float = option(0.1, "an error up to this many local deviations is kept out", low=0)
     global_deviation: float = option(0.05, "an error up to this many deviations of all values is kept out", low=0)
-    max_instances: int = option(500, "instances in memory", low=2, high=4000)
+    max_instances: int = option(1500, "instances in memory, of TRENDI in each leaf", low=2, high=4000)
     removal: str = option(
         "error-contribution",
         "what leaves a full memory: the instance that predictions miss least, or the one that varies most",
@@ -72,4 +73,5 @@ class TrendiOptions(InstanceOptions, GrowthOptions):
 
     learner: ClassVar[str] = "trendi"
 
+    max_instances: int = option(100, "instances in memory, of TRENDI in each leaf", low=2, high=4000)
     min_instances: int = option(20, "instances that a leaf holds before it may split", low=3)
