@@ -173,10 +173,11 @@ def train(
             gradient[chosen] += won * probabilities[chosen]
             rows.append(np.arange(a, b))
             gradients.append(gradient)
-            curvatures.append(probabilities * (1 - probabilities) if second_order else np.ones(b - a))
+            if second_order:
+                curvatures.append(probabilities * (1 - probabilities))
         if sum(map(len, rows)) > min_examples:
-            gathered = map(np.concatenate, (rows, gradients, curvatures))
-            tree = _grow(world.tests, values, *gathered, max_depth, 1.0 if second_order else 0.0)
+            weights = np.concatenate(curvatures) if second_order else None
+            tree = _grow(world.tests, values, np.concatenate(rows), np.concatenate(gradients), weights, max_depth)
             _add(world.tests, tree, everywhere, potential)
             trees += 1
             rows, gradients, curvatures = [], [], []
@@ -188,28 +189,31 @@ def _grow(
     values: np.ndarray,
     rows: np.ndarray,
     targets: np.ndarray,
-    weights: np.ndarray,
+    curvatures: np.ndarray | None,
     depth: int,
-    regularisation: float,
 ) -> Tree:
-    """A regression tree with at least two examples in a leaf, split by weighted variance where the weights are 1 and
-    there is no regularisation, else by second-order gain."""
-    count, total, whole = len(targets), targets.sum(), weights.sum() + regularisation
-    leaf = float(np.clip(total / whole, -3, 3))
+    """A regression tree with at least two examples in a leaf, of means and split by weighted variance, or with
+    curvatures of second-order steps (lambda 1, clipped to +-3) and split by their gain."""
+    count, total = len(targets), targets.sum()
+    if curvatures is None:
+        whole, extra, leaf = count, 0.0, total / count
+    else:
+        whole, extra = curvatures.sum(), 1.0
+        leaf = min(max(total / (whole + extra), -3.0), 3.0)
     if depth == 0 or count < 4 or targets.var() < 1e-6:
         return leaf
     held = values[rows]
     n1, s1 = held.sum(axis=0), targets @ held
-    w1 = weights @ held + regularisation if regularisation else n1
+    w1 = n1 if curvatures is None else curvatures @ held
     with np.errstate(all="ignore"):
-        kept = s1**2 / w1 + (total - s1) ** 2 / (whole + regularisation - w1)
+        kept = s1**2 / (w1 + extra) + (total - s1) ** 2 / (whole - w1 + extra)
     kept[(n1 < 2) | (count - n1 < 2)] = -np.inf
     best = int(np.argmax(kept))
-    if not kept[best] > total**2 / whole + 1e-9:
+    if not kept[best] > total**2 / (whole + extra) + 1e-9:
         return leaf
     yes = tests[rows, best]
     branches = (
-        _grow(tests, values, rows[mask], targets[mask], weights[mask], depth - 1, regularisation)
+        _grow(tests, values, rows[mask], targets[mask], None if curvatures is None else curvatures[mask], depth - 1)
         for mask in (yes, ~yes)
     )
     return best, *branches

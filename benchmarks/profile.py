@@ -35,6 +35,7 @@ STAGES: list[tuple[Any, str, str]] = [
     (Refiner, "refinements", "refinements of a node"),
     (Coverage, "matrix", "gathering a node's answers"),
     (nppg.tilde, "best_split", "the best split"),
+    (nppg.tilde, "best_step", "the best split of a second-order step"),
     (Policy, "add", "adding a tree: clauses and arrays"),
     (TG, "update", "statistics and splits of TG"),
     (InstanceTree, "predict", "predictions from instances"),

@@ -7,6 +7,7 @@ Variables cross the bridge as numbers, constants in a list of one.
 from __future__ import annotations
 
 import sys
+from functools import lru_cache
 
 from nppg.coverage import encoded
 from nppg.language_bias import LanguageBias, Template
@@ -26,9 +27,9 @@ def to_clause(rule: Rule, bias: LanguageBias) -> ClauseData:
     body = substitute((each for each in rule.query if each.name not in ("=", KIND)), theta)
     if bias.goal:
         goal = _literal(bias.goal, bias.offsets[-1])
-        bound = {var for var in goal.variables() if var in theta or var in theta.values()}
-        used = {var for literal in body for var in literal.variables()}
-        if bound or used & set(goal.variables()) or any(each.name == goal.name for each in body):
+        own = set(goal.args)
+        shared = own.intersection(theta) or own.intersection(theta.values())
+        if shared or any(each.name == goal.name or own.intersection(each.args) for each in body):
             body = (*substitute([goal], theta), *body)
     head = substitute((_literal(bias.actions[kind], bias.offsets[kind]) for kind in kinds), theta)
     numbers = [var.index for literal in (*head, *body) for var in literal.variables()]
@@ -36,6 +37,7 @@ def to_clause(rule: Rule, bias: LanguageBias) -> ClauseData:
     return [max(numbers, default=-1) + 1, data[0] if head else [], data[len(head) :], rule.value]
 
 
+@lru_cache(maxsize=64)
 def _literal(template: Template, offset: int) -> Literal:
     return Literal(template.name, tuple(Var(offset + i) for i in range(len(template.types))))
 

@@ -13,6 +13,7 @@ import re
 import sys
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
+from functools import cached_property
 from itertools import accumulate
 from pathlib import Path
 from typing import NamedTuple, TypeVar
@@ -119,13 +120,13 @@ class LanguageBias:
         """SHA-256 of the file as it was loaded, in hexadecimal."""
         return hashlib.sha256(self.source).hexdigest()
 
-    @property
+    @cached_property
     def roots(self) -> tuple[str, ...]:
         """The types of the root variables: the arguments of each kind of action, then the goal's."""
         templates = [*self.actions, self.goal] if self.goal else self.actions
         return tuple(type_ for template in templates for type_ in template.types)
 
-    @property
+    @cached_property
     def offsets(self) -> tuple[int, ...]:
         """The number of the first root variable of each kind of action, and of the goal."""
         return tuple(accumulate((len(action.types) for action in self.actions), initial=0))

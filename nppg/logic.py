@@ -40,6 +40,8 @@ Substitution = Mapping[Var, Term]
 
 def substitute(query: Iterable[Literal], theta: Substitution) -> Query:
     """The query under a substitution."""
+    if not theta:
+        return tuple(query)
     return tuple(
         Literal(name, tuple(theta.get(arg, arg) if isinstance(arg, Var) else arg for arg in args))
         for name, args in query

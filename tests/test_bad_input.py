@@ -325,6 +325,28 @@ def test_all_terms_cross_the_bridge_and_back(tmp_path: Path) -> None:
     assert sorted([domain.act(state, first, rng), domain.act(state, second, rng)]) == [(0, state), (1, state)]
 
 
+@pytest.mark.parametrize(
+    ("mistake", "said"),
+    {
+        "action(_) :- at(2), atom_length(_, _).\n": "action/1 threw Arguments are not",
+        "action(up) :- at(2), random(X), X < 2.\n": "action/1 drew a random number",
+        "action(_) :- at(2), repeat, fail.\n": "action/1 took more than",
+        "goal :- at(2), random(X), X > 2.\n": "goal/0 drew a random number",
+    }.items(),
+)
+def test_a_mistake_in_the_next_situation_is_told_to_who_asks_for_it(tmp_path: Path, mistake: str, said: str) -> None:
+    """An action brings the next situation along, but all that it tells of it is what went well."""
+    more = {"goal": mistake} if mistake.startswith("goal") else {"action": PARTS["action"] + mistake}
+    (tmp_path / "walk.pl").write_text(text(**more, more="reward(_, 0).\n"))
+    domain, rng = Domain(tmp_path / "walk.pl"), np.random.default_rng(0)
+    reward, state = domain.act(domain.start(rng), "left", rng)
+    assert (reward, state) == (0, (("at", 2),))
+    with pytest.raises(NppgError, match=f"{said}.*at.2"):
+        domain.situation(state)
+    assert rng.random() == np.random.default_rng(0).random(), "nothing has been drawn"
+    assert domain.situation(domain.act(state, "left", rng)[1]).status == "running"
+
+
 def test_what_is_allowed(tmp_path: Path) -> None:
     """Libraries, tabling, printing, clauses of its own that change, halt as a name of an action."""
     source = text(

@@ -28,6 +28,13 @@ def test_the_floor_learns() -> None:
     assert before < 0.1 and floor.success(world, potential) > 0.9
 
 
+def test_second_order_steps_of_the_floor_learn_from_fewer_episodes() -> None:
+    world = floor.tables(4)
+    potential, trees = floor.train(world, episodes=200, min_examples=20, second_order=True)
+    assert trees > 50
+    assert floor.success(world, potential) > 0.95
+
+
 def test_the_data_set_tells_optimal_moves_by_its_targets() -> None:
     domain = Domain("blocks_world")
     rng = np.random.default_rng(1)

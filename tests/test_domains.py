@@ -70,6 +70,27 @@ def holds(domain: Domain, state: State) -> tuple | None:
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_the_situation_that_an_action_brings_along_is_the_one_that_is_asked_for(path: Path) -> None:
+    """Also after other states, and in whatever order the two are asked."""
+    domain, plain, rng = Domain(path), Domain(path), np.random.default_rng(0)
+    for _ in range(20):
+        state = domain.start(rng)
+        status, actions = domain.situation(state)
+        for _ in range(10):
+            if status != "running":
+                break
+            _, following = domain.act(state, actions[int(rng.random() * len(actions))], rng)
+            if rng.random() < 0.2:
+                assert domain.situation(state) == (status, actions)
+            state = following
+            plain.forget()
+            status, actions = domain.situation(state)
+            assert (status, actions) == plain.situation(state) == domain.situation(state)
+            domain.situation(state).actions.clear()  # what callers do to their list is their business
+            assert domain.situation(state).actions == actions
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_conforms(path: Path) -> None:
     conforms(path)
 

@@ -7,6 +7,12 @@
 
 test(unseeded, throws(nppg_unseeded)) :-
     random(_).
+test(without_draws, throws(nppg_unseeded)) :-
+    without_draws(random(_)).
+test(without_draws_once, all(X == [1])) :-
+    without_draws(member(X, [1, 2])).
+test(without_draws_failing, fail) :-
+    without_draws(fail).
 test(empty_range, fail) :-
     random_between(2, 1, _).
 test(no_member, fail) :-
