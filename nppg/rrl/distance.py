@@ -23,7 +23,7 @@ from nppg.errors import NppgError
 from nppg.language_bias import LanguageBias
 from nppg.rrl.matching import PartSets, grown
 
-_REMEMBERED = (2**15, 2**12)  # sets of parts of `pairs` and of `others` whose distances are remembered: 128 MB at most
+_REMEMBERED = (2**14, 2**14)  # sets of parts of `pairs` and of `others` whose distances are remembered: 256 MB at most
 _FAR = 255  # so far and farther is not remembered
 
 
@@ -129,8 +129,8 @@ class PairDistance:
         return distances
 
     def _between(self, lefts: np.ndarray, rights: np.ndarray) -> np.ndarray:
-        """The distances of sets of parts, from memory as far as it goes. What it has not room for makes it begin anew,
-        so that `others` should be fewer than `pairs` over time, as instances are."""
+        """The distances of sets of parts, from memory as far as it goes. What it has not room for makes it begin
+        anew."""
         rows, columns = self._slots(0, lefts), self._slots(1, rights)
         if rows is None or columns is None:
             self._forget()
