@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import signal
 import weakref
+from collections import deque
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -26,6 +27,7 @@ _STACK_LIMIT = 256 * 2**20
 
 _interrupted = False
 _undisturbed = 0  # pieces of work that are not to be interrupted
+_dropped: deque[tuple] = deque()  # last questions about what Python has dropped
 _generator: np.random.Generator | None = None
 
 
@@ -56,6 +58,9 @@ def ask(question: str, *args: Any) -> Any:
     pressed under `interruptible`, unless it is held back by `undisturbed`.
     """
     global _interrupted
+    while _dropped:
+        last, *its_args = _dropped.popleft()
+        janus_swi.apply_once("nppg_bridge", "ask", last, its_args)
     try:
         done, value = janus_swi.apply_once("nppg_bridge", "ask", question, list(args))
     except janus_swi.PrologError:
@@ -132,8 +137,9 @@ def undisturbed() -> Iterator[None]:
 
 
 def drop_with(owner: object, question: str, *args: Any) -> None:
-    """Asks a last question, which frees what Prolog holds for `owner`, once Python has dropped it."""
-    weakref.finalize(owner, undisturbed()(ask), question, *args).atexit = False
+    """Has a last question asked, which frees what Prolog holds for `owner`, once Python has dropped it: with the next
+    question, for Python drops things at any moment, also between a question that was aborted and asking why."""
+    weakref.finalize(owner, _dropped.append, (question, *args)).atexit = False
 
 
 def _start() -> None:
