@@ -1,9 +1,11 @@
-"""What the benchmarks share: rows of the table, random examples, a clock."""
+"""What the benchmarks share: rows of the table, random examples, a clock, a memory gauge."""
 
 from __future__ import annotations
 
+import sys
 import time
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -46,3 +48,17 @@ def timed(function: Callable[[], Any]) -> tuple[float, Any]:
 def random_pairs(domain: Domain, states: int, rng: np.random.Generator) -> list[tuple[State, list[Action]]]:
     """Start states, each with its legal actions."""
     return [(state, domain.situation(state).actions) for state in (domain.start(rng) for _ in range(states))]
+
+
+def peak() -> int:
+    """The most memory that this process has held, in KiB.
+
+    Linux hands getrusage's figure on from the process that started this one; /proc has this one's own.
+    """
+    status = Path("/proc/self/status")
+    if status.exists():
+        return next(int(line.split()[1]) for line in status.read_text().splitlines() if line.startswith("VmHWM"))
+    import resource
+
+    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return most // 1024 if sys.platform == "darwin" else most

@@ -7,11 +7,10 @@ import sys
 from collections import deque
 from collections.abc import Iterator
 from functools import partial
-from pathlib import Path
 from statistics import median
 
 from benchmarks import floor
-from benchmarks.common import Row, timed
+from benchmarks.common import Row, peak, timed
 from nppg import Domain, LanguageBias, Options, Policy, train
 from nppg.options import Common
 from nppg.shipped import locate
@@ -51,20 +50,6 @@ def _pair(world: floor.Tables, options: Options) -> tuple[float, float]:
     return least, timed(partial(learn, options))[0]
 
 
-def _peak() -> int:
-    """The most memory that this process has held, in KiB.
-
-    Linux hands getrusage's figure on from the process that started this one; /proc has this one's own.
-    """
-    status = Path("/proc/self/status")
-    if status.exists():
-        return next(int(line.split()[1]) for line in status.read_text().splitlines() if line.startswith("VmHWM"))
-    import resource
-
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return peak // 1024 if sys.platform == "darwin" else peak
-
-
 if __name__ == "__main__":
     learn(Options())
-    print(_peak())
+    print(peak())

@@ -119,9 +119,15 @@ class Domain:
     def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
         """Every legal action, also of a goal or terminal state, with all its outcomes."""
         self.visit(state)
+        facts, found = ask("neighbours", self.module)
+        own = ground(facts)
+
+        def successor(facts: list) -> State:
+            return tuple([own[fact] if isinstance(fact, int) else ground(fact) for fact in facts])
+
         return [
-            (ground(action), [Outcome(probability, ground(facts)) for probability, facts in outcomes])
-            for action, outcomes in ask("neighbours", self.module)
+            (ground(action), [Outcome(probability, successor(facts)) for probability, facts in outcomes])
+            for action, outcomes in found
         ]
 
     def picture(self, state: State) -> list[str]:

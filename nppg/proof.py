@@ -14,6 +14,7 @@ from nppg.errors import NppgError, Problem
 from nppg.evaluation import ExactEvaluator
 from nppg.model import another_domain, file_hash, replacing
 from nppg.policy import Policy
+from nppg.space import Space
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,13 +54,13 @@ class Proof:
         replacing(path, lambda temporary: temporary.write_text(json.dumps(asdict(self), indent=1) + "\n"))
 
 
-def prove(policy: Policy, model: Path, greedy: bool = True) -> Proof:
-    """Goes through every class of states. Raises NppgError where the domain is not the one that the model was made
-    with, and as nppg.evaluation.ExactEvaluator does."""
+def prove(policy: Policy, model: Path, greedy: bool = True, space: Space | None = None) -> Proof:
+    """Goes through every class of states: those of `space`, where it is given. Raises NppgError where the domain is not
+    the one that the model was made with, and as nppg.evaluation.ExactEvaluator does."""
     if problems := another_domain(model, policy):
         raise NppgError(problems)
     greedy = greedy or policy.greedy
-    judge = ExactEvaluator(policy)
+    judge = ExactEvaluator(policy, space)
     space = judge.space
     success, _ = judge.by_class(greedy)
     failing = np.flatnonzero(space.running & ~judge.certain(greedy))

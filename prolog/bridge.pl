@@ -126,22 +126,46 @@ expert_actions(Module, Data) :-
     experts(Module, Actions),
     encode_all(Actions, Data).
 
-%!  neighbours(+Module, -Neighbours) is det.
+%!  neighbours(+Module, -Answer) is det.
 %
-%   A list of [Action, Outcomes] for all legal actions, also in a goal or terminal state; an outcome is
-%   [Probability, Facts].
+%   [Current, Neighbours]: the facts of the current state, and a list of [Action, Outcomes] for all legal actions, also
+%   in a goal or terminal state. An outcome is [Probability, Facts], where a fact of the current state is given as its
+%   number there, from 0.
 
-neighbours(Module, Neighbours) :-
+neighbours(Module, [Data, Neighbours]) :-
     actions(Module, Actions),
-    findall([Data, Outcomes],
-            ( member(Action, Actions), encode(Action, Data), encoded_outcomes(Module, Action, Outcomes) ),
+    interpretation(Module, Current),
+    encode_all(Current, Data),
+    findall([Encoded, Outcomes],
+            ( member(Action, Actions), encode(Action, Encoded), encoded_outcomes(Module, Action, Current, Outcomes) ),
             Neighbours).
 
-encoded_outcomes(Module, Action, Data) :-
+encoded_outcomes(Module, Action, Current, Data) :-
     outcomes(Module, Action, Outcomes),
     findall([Probability, Facts],
-            ( member(Probability-Terms, Outcomes), encode_all(Terms, Facts) ),
+            ( member(Probability-Terms, Outcomes), encode_change(Terms, Current, 0, Facts) ),
             Data).
+
+%   Both lists of facts are sorted.
+
+encode_change([], _, _, []).
+encode_change([Fact|Facts], Current, Number, [Data|Rest]) :-
+    (   Current = [Old|More]
+    ->  compare(Order, Fact, Old),
+        encode_change(Order, Fact, Facts, Current, More, Number, Data, Rest)
+    ;   encode(Fact, Data),
+        encode_change(Facts, [], Number, Rest)
+    ).
+
+encode_change(=, _, Facts, _, More, Number, Number, Rest) :-
+    Next is Number+1,
+    encode_change(Facts, More, Next, Rest).
+encode_change(<, Fact, Facts, Current, _, Number, Data, Rest) :-
+    encode(Fact, Data),
+    encode_change(Facts, Current, Number, Rest).
+encode_change(>, Fact, Facts, _, More, Number, Data, Rest) :-
+    Next is Number+1,
+    encode_change([Fact|Facts], More, Next, [Data|Rest]).
 
 members(Module, Predicate, Data) :-
     objects(Module, Predicate, Objects),

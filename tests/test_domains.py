@@ -139,3 +139,12 @@ def test_parts(four_blocks: Domain, delivery: Domain) -> None:
     assert four_blocks.has_parts and four_blocks.parts(state) == (("b1", "b3"), ("b2",))
     assert four_blocks.binding(state, "goal_on", 2) == ("b2", "b1")
     assert not delivery.has_parts and delivery.parts(("idle", ("at", "room1"))) == (("idle",), ("at", "room1"))
+
+
+def test_neighbours_are_what_acting_leads_to_in_whatever_order_the_facts_come(four_blocks: Domain) -> None:
+    rng = np.random.default_rng(0)
+    for state in [four_blocks.start(rng) for _ in range(20)]:
+        neighbours = four_blocks.neighbours(state)
+        assert four_blocks.neighbours(state[::-1]) == neighbours
+        for action, outcomes in neighbours:
+            assert outcomes == [(1, four_blocks.act(state, action, rng)[1])]
