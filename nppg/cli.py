@@ -457,13 +457,13 @@ def _play(options: argparse.Namespace) -> int:
 
     at_least("seed", options.seed, 0)
     policy = _load(options)
-    episode = generate_episode(policy, np.random.default_rng(options.seed))
+    episode = generate_episode(policy, np.random.default_rng(options.seed), greedy=policy.greedy)
     for number, step in enumerate(episode.steps, 1):
         print(*policy.domain.picture(step.state), "", f"step {number}", sep="\n")
-        pairs = zip(step.actions, step.probabilities, strict=True)
-        for action, probability in sorted(pairs, key=lambda pair: -pair[1]):
+        pairs = zip(step.actions, step.potentials if policy.greedy else step.probabilities, strict=True)
+        for action, value in sorted(pairs, key=lambda pair: -pair[1]):
             mark = "->" if action is step.actions[step.chosen] else "  "
-            print(f"  {mark} {probability:6.4f}  {_text(action)}")
+            print(f"  {mark} {value:6.4f}  {_text(action)}")
         print()
     print(*policy.domain.picture(episode.last), "", sep="\n")
     print(f"{'the goal is reached' if episode.success else 'the goal is not reached'} after {len(episode.steps)} steps")

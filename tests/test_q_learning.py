@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 from dataclasses import fields
 from pathlib import Path
 
@@ -59,6 +60,24 @@ def test_boltzmann_exploration_cools_down(learned: QFunction) -> None:
 def test_epsilon_greedy_exploration(learned: QFunction) -> None:
     policy = QFunction(learned.regressor, QOptions(exploration="epsilon-greedy", epsilon=0.2))
     assert policy.probabilities_of(np.array([0.5, 0.9, 0.1, 0.9])) == pytest.approx([0.05, 0.45, 0.05, 0.45])
+
+
+def test_value_functions_play_greedily(learned: QFunction, tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """And show Q: the action that is marked stands in the first place, or shares its value."""
+    learned.save(tmp_path / "model.pl")
+    for seed in "123":
+        assert main(["play", str(tmp_path / "model.pl"), "--seed", seed]) == 0
+        blocks = re.findall(r"step \d+\n((?: .*\n)+)", capsys.readouterr().out)
+        assert blocks
+        for block in blocks:
+            values = re.findall(r"^  (->|  ) +(-?[\d.]+)", block, re.MULTILINE)
+            assert next(value for mark, value in values if mark == "->") == values[0][1]
+    state = learned.domain.start(np.random.default_rng(1))
+    actions = learned.domain.situation(state).actions
+    potentials = learned.potentials(state, actions)
+    for seed in range(20):
+        chosen = learned.act(state, np.random.default_rng(seed))
+        assert potentials[actions.index(chosen)] == pytest.approx(potentials.max())
 
 
 def test_value_functions_are_evaluated_greedily(learned: QFunction) -> None:
