@@ -109,7 +109,7 @@ def _contents(path: Path) -> bytes | None:
     """What stands in a file, nothing where there is none or it cannot be read."""
     try:
         return path.read_bytes()
-    except FileNotFoundError:
+    except (FileNotFoundError, NotADirectoryError):
         return None
     except OSError:
         return b""

@@ -79,7 +79,7 @@ class Job:
         """What the finished run has come to, in one line."""
         last = self.summary()["last"]
         sizes = ", ".join(f"{last[name]} {name}" for name in ("trees", "leaves", "instances") if last[name])
-        return f"success {last['success']:.4f}, {sizes}"
+        return f"success {last['success']:.4f}, {sizes or 'nothing learned'}"
 
     def tests(self) -> list[Tested]:
         """Those of the finished run."""

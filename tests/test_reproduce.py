@@ -114,6 +114,13 @@ def test_mistakes_are_told_in_one_line(tmp_path: Path, capsys: pytest.CaptureFix
         assert message in error and error.count("\n") == 1
 
 
+def test_output_into_a_file(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    (tmp_path / "file").write_text("")
+    assert main(["reproduce", "figure2", "--runs", "1", "--set", "blocks=3", "--output", str(tmp_path / "file")]) == 2
+    error = capsys.readouterr().err
+    assert "the folder cannot be written to" in error and error.count("\n") == 1
+
+
 def test_run_files_name_the_learner(done: Path) -> None:
     summary = json.loads((done / "runs" / "rib-0" / "run.json").read_text())
     assert summary["learner"] == "rib" and summary["instances"] > 0
