@@ -69,7 +69,7 @@ def predictions(tree: Tree, domain: Domain, bias: LanguageBias, examples: list[E
         if isinstance(tree, Leaf):
             result[members] = tree.value
         else:
-            holds = answers[np.ix_(members, [table.column(test) for test in tree.tests])].all(axis=1)
+            holds = answers[np.ix_(members, [table.place(test)[0] for test in tree.tests])].all(axis=1)
             descend(tree.yes, members[holds])
             descend(tree.no, members[~holds])
 

@@ -46,7 +46,7 @@ class Policy:
         scaled = mapped(tree, lambda value: float(value * step_size))
         ask("tree", self.name, [to_clause(rule, self.bias) for rule in rules(scaled)])
         self.table.add(_tests(scaled))
-        self._forest.add(scaled, self.table.column)
+        self._forest.add(scaled, self.table.place)
         self.trees.append(scaled)
         self.comments.append(comment or f"{leaves(tree)} leaves")
         self._leaves += leaves(tree)

@@ -77,7 +77,7 @@ def test_tests_keep_their_columns_when_others_are_added(relational_bias: Languag
         table.add(tests[: i + 7])
         assert table.tests == tests[: i + 7]
         assert (table.answers(state, actions) == truth(table.tests, relational_bias, state, actions)).all()
-    assert [table.column(test) for test in tests] == list(range(len(tests)))
+    assert [table.place(test)[0] for test in tests] == list(range(len(tests)))
 
 
 def check_path(coverage: Coverage, bias: LanguageBias, refiner: Refiner, random: Random, depth: int) -> int:

@@ -118,9 +118,9 @@ class InstanceTree:
         best = best_split(answers, np.array([value for _, value, *_ in held]), limits)
         if best is None:
             return
-        self.tree.split(number, candidates[best])
+        self.tree.split(number, candidates[best.candidate])
         failed, passed = _Held(self.distance, self.options), _Held(self.distance, self.options)
-        for each, holds in zip(held, answers[:, best], strict=True):
+        for each, holds in zip(held, best.covered(answers), strict=True):
             (passed if holds else failed).store(*each)
         self.leaves[number] = failed
         self.leaves.append(passed)

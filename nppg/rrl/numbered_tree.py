@@ -56,7 +56,7 @@ class NumberedTree:
     def _grow(self, tree: Tree) -> None:
         self._tree = tree
         self._forest = Forest()
-        self._forest.add(tree, self.table.column)
+        self._forest.add(tree, self.table.place)
 
     def with_values(self, value_of: Callable[[int], float]) -> Tree:
         """The tree with a value in each leaf."""
