@@ -115,7 +115,7 @@ class FactTable(Table):
             numbers[:, [column for column, _ in self._readers["action"]]] = self._of_actions(tuple(actions))
         for column, read in self._readers["both"]:
             numbers[:, column] = [read(facts, self._roots(action)) for action in actions]
-        return numbers if self.bounds else numbers == 0
+        return numbers if self.numeric else numbers == 0
 
     def _by_shape(self, state: State) -> Facts:
         facts: Facts = {}
