@@ -150,6 +150,9 @@ measure(Table, Roots, Test, Key, Value, Goal) :-
 %
 %   The least number, or the least of the negated numbers for the bound >=, as a float; infinity if there is none.
 
+least([], _, Least) :-
+    !,
+    Least is inf.               % float(inf) is an overflow
 least(Numbers, Name, Least) :-
     foldl(lesser(Name), Numbers, inf, Least0),
     Least is float(Least0).
