@@ -108,8 +108,8 @@ def _parser() -> argparse.ArgumentParser:
     )
     reproduce = command("reproduce", _reproduce, "do an experiment of the paper: its runs, its figure, a report")
     reproduce.add_argument("experiment", choices=EXPERIMENTS)
-    reproduce.add_argument("--runs", type=int, default=10, help="runs of each learner, seeds from 0 (default: 10)")
-    reproduce.add_argument("--episodes", type=int, default=2000, help="(default: 2000)")
+    reproduce.add_argument("--runs", type=int, help="runs of each variant, seeds from 0 (default: as in the paper)")
+    reproduce.add_argument("--episodes", type=int, help="of each run (default: as in the paper)")
     reproduce.add_argument("--jobs", type=int, help="runs at a time (default: the cores there are)")
     reproduce.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a parameter of the domain")
     reproduce.add_argument(
@@ -321,11 +321,13 @@ def _reproduce(options: argparse.Namespace) -> int:
     from nppg import figures
     from nppg.reproduce import available_cores, do, jobs
 
-    processes = available_cores() if options.jobs is None else options.jobs
-    for name, value in (("runs", options.runs), ("jobs", processes)):
-        at_least(name, value, 1)
     experiment = EXPERIMENTS[options.experiment]
-    wanted = jobs(experiment, options.runs, options.episodes, _parameters(options.set), options.output)
+    processes = available_cores() if options.jobs is None else options.jobs
+    runs = experiment.runs if options.runs is None else options.runs
+    episodes = experiment.episodes if options.episodes is None else options.episodes
+    for name, value in (("runs", runs), ("jobs", processes)):
+        at_least(name, value, 1)
+    wanted = jobs(experiment, runs, episodes, _parameters(options.set), options.output)
     begin, done = time.perf_counter(), 0
     for count, (job, seconds) in enumerate(do(wanted, processes), 1):
         done += seconds > 0
