@@ -93,7 +93,7 @@ def _by_episode(finished: Sequence[Job]) -> list[dict]:
             for at, point in points.items():
                 tests = sampled[int(point["episode"])]
                 share = sum(each.succeeded for each in tests) / sum(each.drawn for each in tests)
-                found.setdefault(at, []).append({"sampled": share} | {key: float(x) for key, x in point.items()})
+                found.setdefault(at, []).append({"sampled": share} | {key: float(x) for key, x in point.items() if x})
         for at, points_here in sorted(found.items()):
             row: dict = {"learner": learner, "episode": at, "runs": len(points_here)}
             row |= _moments("sampled", [each["sampled"] for each in points_here])
