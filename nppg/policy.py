@@ -16,7 +16,7 @@ from nppg.gradient import gibbs
 from nppg.language_bias import LanguageBias
 from nppg.logic import Var
 from nppg.prolog import ask, drop_with
-from nppg.tree import Leaf, Tree, leaves, mapped, rules
+from nppg.tree import Tree, leaves, mapped, rules, tests
 
 
 class Policy:
@@ -45,7 +45,7 @@ class Policy:
         """Adds step_size * tree to the potential."""
         scaled = mapped(tree, lambda value: float(value * step_size))
         ask("tree", self.name, [to_clause(rule, self.bias) for rule in rules(scaled)])
-        self.table.add(_tests(scaled))
+        self.table.add(tests(scaled))
         self._forest.add(scaled, self.table.place)
         self.trees.append(scaled)
         self.comments.append(comment or f"{leaves(tree)} leaves")
@@ -134,7 +134,3 @@ def choose(probabilities: np.ndarray, rng: np.random.Generator, greedy: bool = F
 def is_best(probabilities: np.ndarray, highest: np.ndarray | float) -> np.ndarray:
     """Which probabilities are the highest, but for rounding."""
     return probabilities >= highest * (1 - 1e-9)
-
-
-def _tests(tree: Tree) -> list:
-    return [] if isinstance(tree, Leaf) else [*tree.tests, *_tests(tree.yes), *_tests(tree.no)]
