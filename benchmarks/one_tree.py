@@ -15,8 +15,9 @@ import numpy as np
 
 from benchmarks.common import Row, timed
 from nppg import Domain, LanguageBias
-from nppg.coverage import Coverage, TestTable, root_table
+from nppg.coverage import Coverage, root_table
 from nppg.refinement import Refiner
+from nppg.table import TestTable
 from nppg.tilde import Example, fit
 from nppg.tree import Leaf, Tree
 

@@ -52,9 +52,9 @@ def _tried(domain: Domain, bias: LanguageBias) -> Iterator[Problem]:
                 domain.expert_actions(state)
                 domain.picture(state)
                 domain.parts(state)
-                domain.neighbours(state)
                 table.answers(state, situation.actions)
-                _, state = domain.act(state, situation.actions[int(rng.random() * len(situation.actions))], rng)
+                following = [domain.act(state, action, rng)[1] for action in situation.actions]
+                state = following[int(rng.random() * len(following))]
     except NppgError as error:
         yield from error.problems
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 import sys
 from functools import lru_cache
 
-from nppg.coverage import encoded
 from nppg.language_bias import LanguageBias, Template
 from nppg.logic import OPEN, Literal, Term, Var, solve_equalities, substitute, tightened
 from nppg.refinement import KIND
+from nppg.table import encoded
 from nppg.tree import Rule
 
 ClauseData = list

@@ -65,7 +65,7 @@ class Options(Common):
         high=1,
     )
     replay: int = option(0, "earlier rewarded steps that each tree learns from again, under the present policy", low=0)
-    regressor: str = option("tilde", "what fits the trees", choices=("tilde",))
+    regressor: str = option("tilde", "what fits the trees: TILDE, or CART by scikit-learn", choices=("tilde", "cart"))
     models: str = option(
         "one",
         "one regression tree for all kinds of actions, or one for each kind (for each constant, where the only kind's "

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 from nppg.clauses import to_clause
-from nppg.coverage import TestTable
 from nppg.domain import Action, Domain, Ground, State
 from nppg.errors import NppgError
 from nppg.forest import Forest
@@ -16,6 +15,7 @@ from nppg.gradient import gibbs
 from nppg.language_bias import LanguageBias
 from nppg.logic import Var
 from nppg.prolog import ask, drop_with
+from nppg.table import Table, TestTable
 from nppg.tree import Tree, leaves, mapped, rules, tests
 
 
@@ -28,10 +28,10 @@ class Policy:
 
     greedy = False  # whether it takes an action of the highest potential wherever it does not learn
 
-    def __init__(self, domain: Domain, bias: LanguageBias, table: TestTable | None = None):
+    def __init__(self, domain: Domain, bias: LanguageBias, table: Table | None = None):
         self.domain = domain
         self.bias = bias
-        self.table = table or TestTable(domain, bias)
+        self.table = TestTable(domain, bias) if table is None else table
         self.trees: list[Tree] = []
         self.comments: list[str] = []
         self.facts: Mapping[str, list] = {}  # what the head of its model file says, where it was read from one

@@ -50,11 +50,12 @@ class Refinement:
         return is_open(self.literals[-1])
 
     def closed(self, limit: float) -> Refinement:
-        """With the threshold that makes its test's limit this one; see logic.opened."""
-        return Refinement(_closed(self.literals, limit), _closed(self.test, limit), self.prefix)
+        """With the threshold that makes its test's limit this one."""
+        return Refinement(closed(self.literals, limit), closed(self.test, limit), self.prefix)
 
 
-def _closed(query: Query, limit: float) -> Query:
+def closed(query: Query, limit: float) -> Query:
+    """A query with the threshold that makes its limit this one in place of OPEN; see logic.opened."""
     return tuple(
         Literal(each.name, (each.args[0], limit if each.name == "=<" else -limit)) if is_open(each) else each
         for each in query

@@ -9,12 +9,14 @@ from typing import Protocol
 
 import numpy as np
 
-from nppg.coverage import Coverage, TestTable, root_table
+from nppg import cart
+from nppg.coverage import Coverage, root_table
 from nppg.domain import Action, Domain, State
 from nppg.language_bias import LanguageBias
 from nppg.logic import Constant, Literal, Query, Var, deciding_tests
 from nppg.options import Options
 from nppg.refinement import KIND, Refiner
+from nppg.table import Table
 from nppg.tilde import Newton, Split, grow
 from nppg.tree import Leaf, Node, Tree
 
@@ -44,7 +46,7 @@ class Examples:
 class Regressor(Protocol):
     """Fits trees to examples that `table` describes."""
 
-    table: TestTable
+    table: Table
 
     def fit(self, examples: Examples, query: Query = ()) -> Tree:
         """A tree for the pairs for which `query` holds, as it does for all examples: its rules are about them alone,
@@ -62,6 +64,17 @@ class Tilde:
     def fit(self, examples: Examples, query: Query = ()) -> Tree:
         coverage = Coverage(self.table, examples.states, examples.actions, examples.answers)
         return grow(examples.targets, coverage, self.refiner, self.limits, examples.newton, query)
+
+
+class Cart:
+    """CART among the tests that TILDE has at the root; see nppg.cart."""
+
+    def __init__(self, domain: Domain, bias: LanguageBias):
+        self.table = root_table(domain, bias, Refiner(bias))
+        self.limits = bias.tree
+
+    def fit(self, examples: Examples, query: Query = ()) -> Tree:
+        return cart.grow(examples.targets, examples.answers, self.table, self.limits, examples.newton, query)
 
 
 class PerAction:
@@ -109,7 +122,7 @@ def _constants(bias: LanguageBias, type_: str) -> list[Constant]:
     return list(dict.fromkeys(constant for each in found for constant in each))
 
 
-REGRESSORS: dict[str, Callable[[Domain, LanguageBias], Regressor]] = {"tilde": Tilde}
+REGRESSORS: dict[str, Callable[[Domain, LanguageBias], Regressor]] = {"tilde": Tilde, "cart": Cart}
 
 
 def regressor(domain: Domain, bias: LanguageBias, options: Options) -> Regressor:

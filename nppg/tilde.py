@@ -61,21 +61,10 @@ def grow(
     """Grows a tree for one target per example of `coverage`: of means, or for a second-order step. `query` is the
     root's: it holds for all examples."""
 
-    def leaf(members: np.ndarray) -> Leaf:
-        total, weight = math.fsum(targets[members].tolist()), float(max(len(members), 1))
-        if newton:
-            weight = math.fsum(newton.curvatures[members].tolist()) + newton.regularisation
-        value = total / weight if weight else 0.0
-        return Leaf(max(-newton.clip, min(newton.clip, value)) if newton else value, len(members))
-
     def node(query: Query, members: np.ndarray, known: Known, depth: int) -> Tree:
         values = targets[members]
-        if (
-            depth == limits.max_depth
-            or len(values) < 2 * limits.min_examples
-            or _variance(values) < limits.min_variance
-        ):
-            return leaf(members)
+        if depth == limits.max_depth or is_pure(values, limits):
+            return leaf(targets, members, newton)
         candidates = refiner.refinements(query)
         answers, known = coverage.matrix(candidates, members, known)
         if newton:
@@ -83,7 +72,7 @@ def grow(
         else:
             best = best_split(answers, values, limits)
         if best is None:
-            return leaf(members)
+            return leaf(targets, members, newton)
         chosen, covered = candidates[best.candidate], best.covered(answers)
         if chosen.is_open:
             chosen = chosen.closed(best.limit)
@@ -95,6 +84,20 @@ def grow(
         )
 
     return node(query, np.arange(len(targets)), {}, 0)
+
+
+def leaf(targets: np.ndarray, members: np.ndarray, newton: Newton | None) -> Leaf:
+    """Of these examples."""
+    total, weight = math.fsum(targets[members].tolist()), float(max(len(members), 1))
+    if newton:
+        weight = math.fsum(newton.curvatures[members].tolist()) + newton.regularisation
+    value = total / weight if weight else 0.0
+    return Leaf(max(-newton.clip, min(newton.clip, value)) if newton else value, len(members))
+
+
+def is_pure(values: np.ndarray, limits: TreeLimits) -> bool:
+    """Whether a node with these targets is not to be split: they are too few, or too alike."""
+    return len(values) < 2 * limits.min_examples or _variance(values) < limits.min_variance
 
 
 class Split(NamedTuple):

@@ -65,7 +65,7 @@ def leaves(tree: Tree) -> int:
 
 
 def tests(tree: Tree) -> list[Query]:
-    """Those of all nodes."""
+    """The tests of all nodes."""
     return [] if isinstance(tree, Leaf) else [*tree.tests, *tests(tree.yes), *tests(tree.no)]
 
 

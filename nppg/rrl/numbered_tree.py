@@ -7,17 +7,17 @@ from itertools import count
 
 import numpy as np
 
-from nppg.coverage import TestTable
 from nppg.forest import Forest
 from nppg.logic import Query
 from nppg.refinement import Refinement, Refiner
+from nppg.table import Table
 from nppg.tree import Leaf, Node, Tree, mapped, rules
 
 
 class NumberedTree:
     """`queries` and `depths` have an entry for each leaf: its associated query, and how many tests lead to it."""
 
-    def __init__(self, table: TestTable, refiner: Refiner, tree: Tree | None = None):
+    def __init__(self, table: Table, refiner: Refiner, tree: Tree | None = None):
         tree = tree or Leaf(0.0)
         self.table = table
         self.refiner = refiner
