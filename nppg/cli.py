@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import signal
 import sys
 import time
@@ -135,6 +136,12 @@ def _parser() -> argparse.ArgumentParser:
     train.add_argument("--starts", type=int, default=200, help="starts of a sampled point of the curve (default: 200)")
     train.add_argument(
         "--until-success", type=float, metavar="P", help="stop at the first point of the curve with this success"
+    )
+    train.add_argument(
+        "--until-return",
+        type=float,
+        metavar="R",
+        help="stop at the first point with this mean return; points are then sampled, not exact",
     )
     train.add_argument("--quiet", action="store_true", help="print nothing")
 
@@ -281,7 +288,12 @@ def _train(options: argparse.Namespace) -> int:
     until = options.until_success
     if until is not None and not (0 <= until <= 1 and options.evaluate_every):
         raise NppgError("until-success must be from 0 to 1, and needs points of the curve (evaluate-every)")
-    progress = run(domain, bias, chosen, output, options.evaluate_every, options.starts, report, until)
+    least = options.until_return
+    if least is not None and not (math.isfinite(least) and options.evaluate_every):
+        raise NppgError("until-return must be a finite number, and needs points of the curve (evaluate-every)")
+    progress = run(
+        domain, bias, chosen, output, options.evaluate_every, options.starts, report, until, until_return=least
+    )
     if not options.quiet:
         print(f"written to {output}/: {', '.join(progress.written)}")
     return 0
@@ -308,9 +320,10 @@ def _reporter(options: Common) -> Callable[[Progress], None]:
             if progress.ended:
                 bar.close()
         elif point is not None:
+            stochastic, greedy = progress.judged(point)
             print(
-                f"episode {point.episode:5d}  {sizes(progress.policy)}  success {point.success:.4f} "
-                f"(greedy {point.greedy_success:.4f})  {point.seconds:.1f} s",
+                f"episode {point.episode:5d}  {sizes(progress.policy)}  {progress.measure} {stochastic:.4f} "
+                f"(greedy {greedy:.4f})  {point.seconds:.1f} s",
                 flush=True,
             )
 
@@ -369,7 +382,9 @@ def _evaluate(options: argparse.Namespace) -> int:
         kind = "greedy" if result.greedy else "stochastic"
         over = f"all {result.starts:,} start states" if result.exact else f"{result.starts:,} sampled start states"
         steps = f"{result.mean_steps:.3f} steps on average"
-        print(f"success of the {kind} policy over {over}: {result.success:.6f} ({steps})")
+        goal = policy.domain.has_goal
+        measure, value = ("success", result.success) if goal else ("mean return", result.mean_return)
+        print(f"{measure} of the {kind} policy over {over}: {value:.6f} ({steps})")
     return 0
 
 
