@@ -21,7 +21,7 @@ from nppg.errors import NppgError, Problem
 from nppg.experiments import EXPERIMENTS
 from nppg.language_bias import LanguageBias, TreeLimits
 from nppg.learners import LEARNERS
-from nppg.options import Common, Options, at_least
+from nppg.options import Common, Options, at_least, kind_of
 from nppg.shipped import locate, shipped
 
 if TYPE_CHECKING:
@@ -186,10 +186,11 @@ def _add_option(parser: argparse.ArgumentParser, name: str, owners: Mapping[str,
     parser.add_argument(
         f"--{name.replace('_', '-')}",
         dest=name,
-        type=type(first.default),
+        type=kind_of(first),
         choices=choices,
-        metavar=None if choices else type(first.default).__name__.upper(),
-        help=f"{only}{first.metadata.get('help') or _LIMITS[first.name]} (default: {shown})",
+        metavar=None if choices else kind_of(first).__name__.upper(),
+        help=f"{only}{first.metadata.get('help') or _LIMITS[first.name]}"
+        + ("" if first.default is None else f" (default: {shown})"),
     )
 
 
