@@ -75,7 +75,7 @@ def draw(rows: list[dict], path: Path) -> None:
 def tell(rows: list[dict], finished: Sequence[Job]) -> list[str]:
     """A line for each variant."""
     lines = [
-        "Position in the corridor, 30 episodes an iteration from uniform starts, a tree after each, step size 0.7; with "
+        "The position; 30 episodes an iteration from uniform starts, a tree after each, step size 0.7, with "
         "the paper's step and returns, and with second-order steps and advantages over a value function. The optimal "
         "policy goes left up to the switch and right behind it. A run's switch is the position that parts best where "
         "its policy rather goes left from where it rather goes right. Returns are expected ones, from uniform starts, "
