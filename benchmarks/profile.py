@@ -15,7 +15,7 @@ import nppg.tilde
 import nppg.training
 from benchmarks.common import timed
 from benchmarks.training import learn
-from nppg.coverage import Coverage, TestTable
+from nppg.coverage import Coverage
 from nppg.forest import Forest
 from nppg.learners import LEARNERS
 from nppg.options import Common
@@ -25,6 +25,7 @@ from nppg.rrl.distance import PairDistance
 from nppg.rrl.instance_tree import InstanceTree
 from nppg.rrl.instances import Instances
 from nppg.rrl.tg import TG
+from nppg.table import TestTable
 
 STAGES: list[tuple[Any, str, str]] = [
     (nppg.episode, "generate_episode", "the loop of an episode, choosing"),

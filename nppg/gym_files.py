@@ -32,6 +32,7 @@ types:
 modes:
   - equal(+choice, [{choices}])
 {components}
+  - "+number =< #"
 
 lookahead: 1
 max_variables: {count}
