@@ -350,7 +350,7 @@ def _load(options: argparse.Namespace) -> Policy:
 
 
 def _evaluate(options: argparse.Namespace) -> int:
-    from nppg.evaluation import evaluate, evaluate_exactly
+    from nppg.evaluation import evaluate, evaluate_exactly, merit
     from nppg.model import option
 
     policy = _load(options)
@@ -366,7 +366,8 @@ def _evaluate(options: argparse.Namespace) -> int:
         kind = "greedy" if result.greedy else "stochastic"
         over = f"all {result.starts:,} start states" if result.exact else f"{result.starts:,} sampled start states"
         steps = f"{result.mean_steps:.3f} steps on average"
-        print(f"success of the {kind} policy over {over}: {result.success:.6f} ({steps})")
+        name, value = merit(policy, result)
+        print(f"{name.replace('_', ' ')} of the {kind} policy over {over}: {value:.6f} ({steps})")
     return 0
 
 
@@ -401,7 +402,7 @@ def _prove(options: argparse.Namespace) -> int:
 
 def _distill(options: argparse.Namespace) -> int:
     from nppg.distill import distill
-    from nppg.evaluation import evaluate, evaluate_exactly
+    from nppg.evaluation import evaluate, evaluate_exactly, merit
     from nppg.explain import explained, sentences
 
     at_least("max-rules", options.max_rules, 1)
@@ -410,17 +411,19 @@ def _distill(options: argparse.Namespace) -> int:
     rules = distill(policy, bias, options.max_rules)
     exact = policy.domain.uniform_start and policy.domain.has_goal
     result = evaluate_exactly(rules, greedy=True) if exact else evaluate(rules, seed=1, greedy=True)
+    judged, value = merit(rules, result)
     output = options.output or options.model.with_name("rules.pl")
     beside = Path(bias.file).resolve().parent == output.resolve().parent
     facts = [
         *([("bias", Path(bias.file).name), ("bias_sha256", bias.hash)] if beside else []),
-        *(("success", result.success), ("starts", result.starts), ("exact", int(result.exact))),
+        *((judged, value), ("starts", result.starts), ("exact", int(result.exact))),
     ]
     rules.save(output, facts, [sentences(rules, 1, bias)] if options.explain else ())
     print(*(explained(rules, 1, bias) if options.explain else rules.rules(1)), sep="\n")
     over = "all" if result.exact else "sampled"
     print(
-        f"success of these rules over {over} {result.starts:,} start states: {result.success:.6f}; written to {output}"
+        f"{judged.replace('_', ' ')} of these rules over {over} {result.starts:,} start states: {value:.6f}; "
+        f"written to {output}"
     )
     return 0
 
@@ -466,7 +469,11 @@ def _play(options: argparse.Namespace) -> int:
             print(f"  {mark} {value:6.4f}  {_text(action)}")
         print()
     print(*policy.domain.picture(episode.last), "", sep="\n")
-    print(f"{'the goal is reached' if episode.success else 'the goal is not reached'} after {len(episode.steps)} steps")
+    if policy.domain.has_goal:
+        end = "the goal is reached" if episode.success else "the goal is not reached"
+    else:
+        end = f"the return is {sum(step.reward for step in episode.steps):g}"
+    print(f"{end} after {len(episode.steps)} steps")
     return 0
 
 
