@@ -11,6 +11,7 @@ from typing import Any
 import nppg.episode
 import nppg.evaluation
 import nppg.prolog
+import nppg.regression
 import nppg.tilde
 import nppg.training
 from benchmarks.common import timed
@@ -32,7 +33,7 @@ STAGES: list[tuple[Any, str, str]] = [
     (TestTable, "answers", "unpacking the answers"),
     (Forest, "sums", "summing the trees"),
     (nppg.training, "examples", "the functional gradient"),
-    (nppg.training, "grow", "growing a tree, the rest"),
+    (nppg.regression, "grow", "growing a tree, the rest"),
     (Refiner, "refinements", "refinements of a node"),
     (Coverage, "matrix", "gathering a node's answers"),
     (nppg.tilde, "best_split", "the best split"),

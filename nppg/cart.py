@@ -19,8 +19,16 @@ from nppg.tree import Node, Tree
 _LARGEST = float(np.finfo(np.float32).max)  # scikit-learn rounds what it splits to single precision
 
 
-def grow(targets: np.ndarray, rows: np.ndarray, table: Table, limits: TreeLimits, newton: Newton | None = None) -> Tree:
-    """Grows a tree for one target per row of answers: of means, or for a second-order step. The splits of the latter
+def grow(
+    targets: np.ndarray,
+    rows: np.ndarray,
+    table: Table,
+    limits: TreeLimits,
+    newton: Newton | None = None,
+    query: Query = (),
+) -> Tree:
+    """Grows a tree for one target per row of answers: of means, or for a second-order step; below `query`, which holds
+    for all. The splits of the latter
     are those of the targets f / h weighted by h; `regularisation` and `clip` are a matter of the leaves. Raises
     NppgError where scikit-learn is missing, or for a limit that it does not know."""
     try:
@@ -58,7 +66,7 @@ def grow(targets: np.ndarray, rows: np.ndarray, table: Table, limits: TreeLimits
             node(found.children_right[number], query, members[~covered], asked),
         )
 
-    return node(0, (), every, {})
+    return node(0, query, every, {})
 
 
 def _is_significant(values: np.ndarray, covered: np.ndarray, limits: TreeLimits) -> bool:

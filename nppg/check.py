@@ -55,10 +55,10 @@ def _tried(domain: Domain, bias: LanguageBias) -> Iterator[Problem]:
                 domain.expert_actions(state)
                 domain.picture(state)
                 domain.parts(state)
-                if not domain.environment:
-                    domain.neighbours(state)
                 table.answers(state, situation.actions)
-                _, state = domain.act(state, situation.actions[int(rng.random() * len(situation.actions))], rng)
+                chosen = situation.actions[int(rng.random() * len(situation.actions))]
+                tried = [chosen] if domain.environment else situation.actions  # an environment goes one way only
+                state = {action: domain.act(state, action, rng)[1] for action in tried}[chosen]
     except NppgError as error:
         yield from error.problems
 

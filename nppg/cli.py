@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import signal
 import sys
 import time
@@ -109,8 +110,8 @@ def _parser() -> argparse.ArgumentParser:
     )
     reproduce = command("reproduce", _reproduce, "do an experiment of the paper: its runs, its figure, a report")
     reproduce.add_argument("experiment", choices=EXPERIMENTS)
-    reproduce.add_argument("--runs", type=int, default=10, help="runs of each learner, seeds from 0 (default: 10)")
-    reproduce.add_argument("--episodes", type=int, default=2000, help="(default: 2000)")
+    reproduce.add_argument("--runs", type=int, help="runs of each variant, seeds from 0 (default: as in the paper)")
+    reproduce.add_argument("--episodes", type=int, help="of each run (default: as in the paper)")
     reproduce.add_argument("--jobs", type=int, help="runs at a time (default: the cores there are)")
     reproduce.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a parameter of the domain")
     reproduce.add_argument(
@@ -136,6 +137,12 @@ def _parser() -> argparse.ArgumentParser:
     train.add_argument("--starts", type=int, default=200, help="starts of a sampled point of the curve (default: 200)")
     train.add_argument(
         "--until-success", type=float, metavar="P", help="stop at the first point of the curve with this success"
+    )
+    train.add_argument(
+        "--until-return",
+        type=float,
+        metavar="R",
+        help="stop at the first point with this mean return; points are then sampled, not exact",
     )
     train.add_argument("--quiet", action="store_true", help="print nothing")
 
@@ -285,7 +292,12 @@ def _train(options: argparse.Namespace) -> int:
     until = options.until_success
     if until is not None and not (0 <= until <= 1 and options.evaluate_every):
         raise NppgError("until-success must be from 0 to 1, and needs points of the curve (evaluate-every)")
-    progress = run(domain, bias, chosen, output, options.evaluate_every, options.starts, report, until)
+    least = options.until_return
+    if least is not None and not (math.isfinite(least) and options.evaluate_every):
+        raise NppgError("until-return must be a finite number, and needs points of the curve (evaluate-every)")
+    progress = run(
+        domain, bias, chosen, output, options.evaluate_every, options.starts, report, until, until_return=least
+    )
     if not options.quiet:
         print(f"written to {output}/: {', '.join(progress.written)}")
     return 0
@@ -312,9 +324,10 @@ def _reporter(options: Common) -> Callable[[Progress], None]:
             if progress.ended:
                 bar.close()
         elif point is not None:
+            stochastic, greedy = progress.judged(point)
             print(
-                f"episode {point.episode:5d}  {sizes(progress.policy)}  success {point.success:.4f} "
-                f"(greedy {point.greedy_success:.4f})  {point.seconds:.1f} s",
+                f"episode {point.episode:5d}  {sizes(progress.policy)}  {progress.measure} {stochastic:.4f} "
+                f"(greedy {greedy:.4f})  {point.seconds:.1f} s",
                 flush=True,
             )
 
@@ -325,11 +338,13 @@ def _reproduce(options: argparse.Namespace) -> int:
     from nppg import figures
     from nppg.reproduce import available_cores, do, jobs
 
-    processes = available_cores() if options.jobs is None else options.jobs
-    for name, value in (("runs", options.runs), ("jobs", processes)):
-        at_least(name, value, 1)
     experiment = EXPERIMENTS[options.experiment]
-    wanted = jobs(experiment, options.runs, options.episodes, _parameters(options.set), options.output)
+    processes = available_cores() if options.jobs is None else options.jobs
+    runs = experiment.runs if options.runs is None else options.runs
+    episodes = experiment.episodes if options.episodes is None else options.episodes
+    for name, value in (("runs", runs), ("jobs", processes)):
+        at_least(name, value, 1)
+    wanted = jobs(experiment, runs, episodes, _parameters(options.set), options.output)
     begin, done = time.perf_counter(), 0
     for count, (job, seconds) in enumerate(do(wanted, processes), 1):
         done += seconds > 0

@@ -70,6 +70,10 @@ class Coverage:
         return result, known
 
     def _ask(self, candidates: Sequence[Refinement], members: np.ndarray) -> dict[Query, np.ndarray]:
+        if isinstance(self.table, FactTable):
+            own = FactTable(self.table.domain, self.table.bias)
+            own.add(each.test for each in candidates)
+            return dict(zip(own.tests, Coverage(own, self.states, self.actions).bits.T, strict=True))
         assert isinstance(self.table, TestTable)
         self._load(self.table)
         by_prefix: dict[Query, list[Refinement]] = {}

@@ -132,6 +132,11 @@ class Domain:
         self._current = ground(facts)
         return reward, self._current
 
+    def reward(self, state: State, action: Action) -> float:
+        """The reward for an action that has just led to the state."""
+        self.visit(state)
+        return ask("reward_of", self.module, action)
+
     def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
         """Every legal action, also of a goal or terminal state, with all its outcomes."""
         self.visit(state)

@@ -65,7 +65,38 @@ class Options(Common):
         high=1,
     )
     replay: int = option(0, "earlier rewarded steps that each tree learns from again, under the present policy", low=0)
-    unrewarded: str = option("keep", "what becomes of steps with return 0: keep, or drop", choices=("keep", "drop"))
+    regressor: str = option("tilde", "what fits the trees: TILDE, or CART by scikit-learn", choices=("tilde", "cart"))
+    models: str = option(
+        "one",
+        "one regression tree for all kinds of actions, or one for each kind (for each constant, where the only kind's "
+        "arguments are compared with constants); the same where there is nothing to tell apart",
+        choices=("one", "per-action"),
+    )
+    unrewarded: str = option(
+        "keep", "what becomes of steps with return (advantage) 0: keep, or drop", choices=("keep", "drop")
+    )
+    line_search: int = option(
+        0, "doublings and halvings of the step size that are tried for each tree; 0: it is fixed", low=0, high=20
+    )
+    ratio_clip: float = option(
+        0.2, "of the line search: a step's importance weight counts up to 1 + ratio_clip and from 1 - ratio_clip", low=0
+    )
+    critic: str = option(
+        "none",
+        "what a step is worth: its return, or its advantage over a value function that is learned beside the policy",
+        choices=("none", "value"),
+    )
+    trace: float = option(
+        1.0,
+        "lambda of generalised advantage estimation: 1 return minus value, 0 one step's reward",
+        low=0,
+        high=1,
+    )
+    critic_step_size: float = option(0.5, "by which each tree of the value function is multiplied", low=0, high=1)
+    critic_trees: int = option(1, "trees of the value function for one of the policy", low=1)
+    normalise: str = option(
+        "no", "whether what a tree's steps are worth is standardised, to mean 0 and deviation 1", choices=("no", "yes")
+    )
 
 
 def _problem(option: Field, value: Any) -> str:

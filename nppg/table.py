@@ -16,7 +16,7 @@ import numpy as np
 
 from nppg.domain import Action, Domain, State
 from nppg.language_bias import LanguageBias
-from nppg.logic import Literal, Query, Var, opened, variables
+from nppg.logic import OPEN, Literal, Query, Var, opened, variables
 from nppg.prolog import ask, drop_with
 from nppg.refinement import KIND, Refinement, is_open
 
@@ -45,9 +45,9 @@ class _Groups:
         truths, bounds = self.truths.setdefault(arguments, []), self.bounds.setdefault(arguments, [])
         (bounds if bound else truths).append(column)
 
-    def update(self, size: int, bounds: Sequence[int]) -> None:
+    def update(self, size: int, bounds: Sequence[int] | None) -> None:
         """To be called after columns have been added; there are `size` of them, those of other kinds included, among
-        them `bounds`."""
+        them `bounds`, which is None where answers are truth values."""
         self._places = np.full(size, WORD)
         self._bits, self._values = [], []
         self.words = 0
@@ -59,7 +59,7 @@ class _Groups:
             self.words += len(words)
             self._values += enumerate(self.bounds[arguments], self.words)
             self.words += len(self.bounds[arguments])
-        if bounds:
+        if bounds is not None:
             self._limitless = np.ones(size)
             self._limitless[list(bounds)] = np.inf
 
@@ -86,6 +86,7 @@ class Table(ABC):
         self.bias = bias
         self.tests: list[Query] = []  # of those with a bound, what decides them
         self.bounds: list[int] = []  # columns of those
+        self.numeric = any(mode.name in OPEN for mode in bias.modes)  # whether answers are numbers
         self._index: dict[Query, int] = {}
         self._columns: dict[int, tuple[int, Sequence[Refinement], np.ndarray]] = {}
 
@@ -102,6 +103,7 @@ class Table(ABC):
                 self.bounds += [column] if any(map(is_open, test)) else []
                 new.append(column)
         if new:
+            self.numeric = self.numeric or bool(self.bounds)
             self._prepare(new)
 
     @abstractmethod
@@ -110,7 +112,7 @@ class Table(ABC):
 
     @abstractmethod
     def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
-        """Shape (actions, tests): booleans, or numbers where some tests have bounds."""
+        """Shape (actions, tests): booleans, or numbers where tests may have bounds."""
 
     def place(self, test: Query) -> tuple[int, float]:
         """The column of a test in what `answers` returns, and its limit there."""
@@ -160,7 +162,7 @@ class TestTable(Table):
             words += [measure(self.tests[column]) for column in groups.bounds[arguments]]
             ask("tests", self.name, kind, [list(groups.truths).index(arguments), [i + 1 for i in arguments]], words)
         for groups in self._groups:
-            groups.update(len(self), self.bounds)
+            groups.update(len(self), self.bounds if self.numeric else None)
 
     def _arguments(self, test: Query, kind: int) -> tuple[int, ...] | None:
         """The action's arguments that the test is about; None if some are another kind's, so that it never holds."""
@@ -173,7 +175,7 @@ class TestTable(Table):
         kinds, words = ask("answers", self.name, actions)
         if len(set(kinds)) == 1:
             return self._groups[kinds[0]].rows(words, len(actions))
-        result = np.empty((len(actions), len(self)), float if self.bounds else bool)
+        result = np.empty((len(actions), len(self)), float if self.numeric else bool)
         start = 0
         for kind in sorted(set(kinds)):
             members = np.flatnonzero(np.array(kinds) == kind)

@@ -51,9 +51,15 @@ class Newton:
 
 
 def grow(
-    targets: np.ndarray, coverage: Coverage, refiner: Refiner, limits: TreeLimits, newton: Newton | None = None
+    targets: np.ndarray,
+    coverage: Coverage,
+    refiner: Refiner,
+    limits: TreeLimits,
+    newton: Newton | None = None,
+    query: Query = (),
 ) -> Tree:
-    """Grows a tree for one target per example of `coverage`: of means, or for a second-order step."""
+    """Grows a tree for one target per example of `coverage`: of means, or for a second-order step. `query` is the
+    root's: it holds for all examples."""
 
     def node(query: Query, members: np.ndarray, known: Known, depth: int) -> Tree:
         values = targets[members]
@@ -77,7 +83,7 @@ def grow(
             node(query, members[~covered], known, depth + 1),
         )
 
-    return node((), np.arange(len(targets)), {}, 0)
+    return node(query, np.arange(len(targets)), {}, 0)
 
 
 def leaf(targets: np.ndarray, members: np.ndarray, newton: Newton | None) -> Leaf:

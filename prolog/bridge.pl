@@ -188,6 +188,12 @@ act(Module, ActionData, [Reward, Data, Situation]) :-
     ;   Situation = []
     ).
 
+%!  reward_of(+Module, +Action, -Reward) is det: for an action that has just led to the current state.
+
+reward_of(Module, ActionData, Reward) :-
+    decode(ActionData, Action),
+    reward(Module, Action, Reward).
+
 chosen([_-Facts], Facts) :-
     !.
 chosen(Outcomes, Facts) :-

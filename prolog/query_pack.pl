@@ -150,14 +150,21 @@ measure(Table, Roots, Test, Key, Value, Goal) :-
 %
 %   The least number, or the least of the negated numbers for the bound >=, as a float; infinity if there is none.
 
-least(Numbers, Name, Least) :-
-    foldl(lesser(Name), Numbers, inf, Least0),
+least([], _, Least) :-
+    Least is inf.
+least([Number|Numbers], Name, Least) :-
+    negated(Name, Number, First),
+    foldl(lesser(Name), Numbers, First, Least0),
     Least is float(Least0).
 
-lesser(=<, Number, Least0, Least) :-
-    Least is min(Least0, Number).
-lesser(>=, Number, Least0, Least) :-
-    Least is min(Least0, -Number).
+lesser(Name, Number, Least0, Least) :-
+    negated(Name, Number, Value),
+    Least is min(Least0, Value).
+
+negated(=<, Number, Value) :-
+    Value is Number.
+negated(>=, Number, Value) :-
+    Value is -Number.
 
 compiled(Table, Clause) :-
     current_prolog_flag(optimise, Old),
