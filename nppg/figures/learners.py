@@ -28,7 +28,9 @@ def rows(finished: Sequence[Job]) -> list[dict]:
             for episode, point in points.items():
                 tests = sampled[int(point["episode"])]
                 share = sum(each["succeeded"] for each in tests) / sum(each["drawn"] for each in tests)
-                found.setdefault(episode, []).append({"sampled": share} | {key: float(x) for key, x in point.items() if x})
+                found.setdefault(episode, []).append(
+                    {"sampled": share} | {key: float(x) for key, x in point.items() if x}
+                )
         for episode, points_here in sorted(found.items()):
             row: dict = {"learner": learner, "episode": episode, "runs": len(points_here)}
             row |= moments("sampled", [each["sampled"] for each in points_here])
