@@ -55,7 +55,7 @@ def _tried(domain: Domain, bias: LanguageBias) -> Iterator[Problem]:
                 domain.expert_actions(state)
                 domain.picture(state)
                 domain.parts(state)
-                table.answers(state, situation.actions)
+                table.answers(domain.observe(state, rng), situation.actions)
                 chosen = situation.actions[int(rng.random() * len(situation.actions))]
                 tried = [chosen] if domain.environment else situation.actions  # an environment goes one way only
                 state = {action: domain.act(state, action, rng)[1] for action in tried}[chosen]

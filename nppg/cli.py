@@ -22,11 +22,11 @@ from nppg.errors import NppgError, Problem
 from nppg.experiments import EXPERIMENTS
 from nppg.language_bias import LanguageBias, TreeLimits
 from nppg.learners import LEARNERS
-from nppg.options import Common, Options, at_least
+from nppg.options import Common, Options, at_least, kind_of
 from nppg.shipped import locate, shipped
 
 if TYPE_CHECKING:
-    from nppg.domain import Domain
+    from nppg.domain import Domain, State
     from nppg.policy import Policy
     from nppg.runs import Progress
 
@@ -187,10 +187,11 @@ def _add_option(parser: argparse.ArgumentParser, name: str, owners: Mapping[str,
     parser.add_argument(
         f"--{name.replace('_', '-')}",
         dest=name,
-        type=type(first.default),
+        type=kind_of(first),
         choices=choices,
-        metavar=None if choices else type(first.default).__name__.upper(),
-        help=f"{only}{first.metadata.get('help') or _LIMITS[first.name]} (default: {shown})",
+        metavar=None if choices else kind_of(first).__name__.upper(),
+        help=f"{only}{first.metadata.get('help') or _LIMITS[first.name]}"
+        + ("" if first.default is None else f" (default: {shown})"),
     )
 
 
@@ -424,7 +425,7 @@ def _distill(options: argparse.Namespace) -> int:
     policy = _load(options)
     bias = _bias_of(policy, options)
     rules = distill(policy, bias, options.max_rules)
-    exact = policy.domain.uniform_start and policy.domain.has_goal
+    exact = policy.domain.is_countable
     result = evaluate_exactly(rules, greedy=True) if exact else evaluate(rules, seed=1, greedy=True)
     judged, value = merit(rules, result)
     output = options.output or options.model.with_name("rules.pl")
@@ -477,19 +478,26 @@ def _play(options: argparse.Namespace) -> int:
     policy = _load(options)
     episode = generate_episode(policy, np.random.default_rng(options.seed), greedy=policy.greedy)
     for number, step in enumerate(episode.steps, 1):
-        print(*policy.domain.picture(step.state), "", f"step {number}", sep="\n")
+        print(*policy.domain.picture(step.actual), "", *_seen(policy, step.state), f"step {number}", sep="\n")
         pairs = zip(step.actions, step.potentials if policy.greedy else step.probabilities, strict=True)
         for action, value in sorted(pairs, key=lambda pair: -pair[1]):
             mark = "->" if action is step.actions[step.chosen] else "  "
             print(f"  {mark} {value:6.4f}  {_text(action)}")
         print()
-    print(*policy.domain.picture(episode.last), "", sep="\n")
+    print(*policy.domain.picture(episode.actual), "", sep="\n")
     if policy.domain.has_goal:
         end = "the goal is reached" if episode.success else "the goal is not reached"
     else:
         end = f"the return is {sum(step.reward for step in episode.steps):g}"
     print(f"{end} after {len(episode.steps)} steps")
     return 0
+
+
+def _seen(policy: Policy, observation: State) -> list[str]:
+    """What the policy sees, where that is not the state."""
+    if not policy.domain.has_observation:
+        return []
+    return ["seen: " + ", ".join(map(_text, observation)), ""]
 
 
 def _text(term: object) -> str:

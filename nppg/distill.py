@@ -67,7 +67,7 @@ class _Judge:
         self.table = table
         self.bias = bias
         domain = policy.domain
-        self.exact = ExactEvaluator(policy) if domain.uniform_start and domain.has_goal else None
+        self.exact = ExactEvaluator(policy) if domain.is_countable else None
         self.shared: ExactEvaluator | None = None
         self._known: dict[tuple[Rule, ...], float] = {}
 

@@ -46,6 +46,8 @@ class World(Protocol):
 
     def horizon(self, state: State) -> int: ...
 
+    def observe(self, state: State, rng: np.random.Generator) -> State: ...
+
     def expert_actions(self, state: State) -> list[Action]: ...
 
     def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]: ...
@@ -78,9 +80,16 @@ class Domain:
         self.has_expert: bool = description["expert"] == "true"
         self.has_goal: bool = description["goal"] == "true"
         self.has_parts: bool = description["parts"] == "true"
+        self.has_observation: bool = description["observation"] == "true"
         self.environment: str = description["environment"]  # of Gymnasium, which nppg.open_domain opens; or empty
         self._current: State | None = None
         self._situation: list | None = None  # that of the current state, where it is known
+
+    @property
+    def is_countable(self) -> bool:
+        """Whether it is for exact evaluation, if it has few enough states: it declares a uniform start, has a goal, and
+        is seen as it is."""
+        return self.uniform_start and self.has_goal and not self.has_observation
 
     @property
     def hash(self) -> str:
@@ -115,6 +124,15 @@ class Domain:
         """The number of steps after which an episode that starts here ends."""
         self.visit(state)
         return ask("horizon_of", self.module)
+
+    def observe(self, state: State, rng: np.random.Generator) -> State:
+        """What a policy sees in place of the state, a tuple of facts like it: the state itself, unless the domain
+        defines observation/1, which may draw anew each time."""
+        if not self.has_observation:
+            return state
+        self.visit(state)
+        with randomness(rng):
+            return ground(ask("observed", self.module))
 
     def expert_actions(self, state: State) -> list[Action]:
         """What the domain's expert would do, none if it has no advice."""

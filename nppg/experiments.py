@@ -35,14 +35,22 @@ class Experiment:
 
 
 _CORRIDOR = {"step_size": 0.7, "episodes_per_iteration": 30, "min_examples": 0, "guidance": 0.0}
+_METHODS: dict[str, Mapping[str, int | float | str]] = {
+    "paper": {},
+    "critic": {"step": "second-order", "critic": "value"},
+}
 _ALL = (
     Experiment("figure1", tuple(Variant(name, name) for name in ("nppg", "tg", "rib", "trendi"))),
     Experiment("figure2", (Variant("nppg"),)),
     Experiment(
         "figure3",
         tuple(
-            Variant(f"{regressor}-noise{mean:.0f}", "nppg", {**_CORRIDOR, "regressor": regressor}, {"noise_mean": mean})
-            for mean, regressor in product((0.0, 1.0), ("cart", "tilde"))
+            Variant(
+                f"{method}-{regressor}-noise{mean:.0f}",
+                options={**_CORRIDOR, **options, "regressor": regressor},
+                parameters={"noise_mean": mean},
+            )
+            for (method, options), regressor, mean in product(_METHODS.items(), ("cart", "tilde"), (0.0, 1.0))
         ),
         domain="corridor",
         probe="corridor",

@@ -183,7 +183,7 @@ def _judge(progress: Progress, starts: int, space: Space | None) -> Callable[[],
     """How the run's policy is evaluated: the stochastic and the greedy one."""
     policy, seed, factor = progress.policy, progress.options.seed, progress.options.horizon_factor
     for_returns = progress.judging["until_return"] is not None
-    if policy.domain.uniform_start and policy.domain.has_goal and not for_returns:
+    if policy.domain.is_countable and not for_returns:
         try:
             exact = ExactEvaluator(policy, space or Space(policy.domain, _CLASSES))
         except NppgError:

@@ -13,6 +13,7 @@ from nppg.domain import Domain
 from nppg.figures.common import grouped, moments
 from nppg.reproduce import Job
 
+_METHODS = {"paper": "the paper's step", "critic": "second-order with critic"}
 _LEARNERS = {"cart": "CART", "tilde": "TILDE"}
 
 
@@ -21,7 +22,13 @@ def rows(finished: Sequence[Job]) -> list[dict]:
     found = []
     for own in grouped(finished, lambda job: job.variant.name).values():
         noise = {name: _domain(own[0]).parameters[name] for name in ("noise_mean", "noise_sd")}
-        variant = {"regressor": own[0].options.regressor, **noise, "switch": Corridor(_domain(own[0])).optimum().switch}
+        method, regressor, _ = own[0].variant.name.split("-")
+        variant = {
+            "method": method,
+            "regressor": regressor,
+            **noise,
+            "switch": Corridor(_domain(own[0])).optimum().switch,
+        }
         tests = (test for job in own for test in job.tests())
         for (iteration, position), here in sorted(grouped(tests, _place).items()):
             row: dict = {**variant, "iteration": int(iteration), "position": position, "runs": len(here)}
@@ -40,10 +47,10 @@ def draw(rows: list[dict], path: Path) -> None:
 
     variants = grouped(rows, _title)
     figure, panels = pyplot.subplots(
-        2, 2, figsize=(11, 7), layout="constrained", sharex=True, sharey=True, squeeze=False
+        len(variants) // 2, 2, figsize=(11, 11), layout="constrained", sharex=True, sharey=True, squeeze=False
     )
     colours = pyplot.get_cmap("viridis")
-    for axes, (title, own) in zip(panels.T.ravel(), variants.items(), strict=True):
+    for axes, (title, own) in zip(panels.ravel(), variants.items(), strict=True):
         by_iteration = grouped(own, lambda row: row["iteration"])
         for number, (iteration, here) in enumerate(by_iteration.items()):
             colour = colours(0.9 * number / max(len(by_iteration) - 1, 1))
@@ -68,10 +75,11 @@ def draw(rows: list[dict], path: Path) -> None:
 def tell(rows: list[dict], finished: Sequence[Job]) -> list[str]:
     """A line for each variant."""
     lines = [
-        "Position in the corridor, 30 episodes an iteration from uniform starts, a tree after each, step size 0.7. The "
-        "optimal policy goes left up to the switch and right behind it. A run's switch is the position that parts best "
-        "where its policy rather goes left from where it rather goes right. Returns are expected ones, from uniform "
-        "starts, computed over cells of the corridor, like the optimal return.",
+        "The position; 30 episodes an iteration from uniform starts, a tree after each, step size 0.7, with "
+        "the paper's step and returns, and with second-order steps and advantages over a value function. The optimal "
+        "policy goes left up to the switch and right behind it. A run's switch is the position that parts best where "
+        "its policy rather goes left from where it rather goes right. Returns are expected ones, from uniform starts, "
+        "computed over cells of the corridor, like the optimal return.",
         "",
         "| learner, noise | optimal switch | switch after the last iteration | wrong side | optimal return "
         "| return | random walk | seconds a run |",
@@ -126,7 +134,7 @@ def _switch(end: list[dict[str, float]]) -> tuple[float, float]:
 
 
 def _title(row: dict) -> str:
-    return f"{_LEARNERS[row['regressor']]}, N({row['noise_mean']:g}, {row['noise_sd']:g})"
+    return f"{_METHODS[row['method']]}, {_LEARNERS[row['regressor']]}, N({row['noise_mean']:g}, {row['noise_sd']:g})"
 
 
 def _domain(job: Job) -> Domain:
