@@ -314,9 +314,9 @@ def test_a_seed_reproduces_a_model_to_the_bit(trained: Path, tmp_path: Path) -> 
 def test_the_commands_tell_returns(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """There is no goal to reach."""
     model, output = str(tmp_path / "model.pl"), str(tmp_path)
-    learn = ["--episodes", "12", "--evaluate-every", "6", "--starts", "3", "--output", output]
+    learn = ["--episodes", "24", "--evaluate-every", "12", "--starts", "3", "--output", output]
     assert main(["check", "gym:CartPole-v1"]) == 0
-    assert main(["train", "gym:CartPole-v1", "--set", "max_episode_steps=9", *learn]) == 0
+    assert main(["train", "gym:CartPole-v1", "--set", "max_episode_steps=3", *learn]) == 0
     capsys.readouterr()
     assert main(["evaluate", model, "--starts", "5"]) == 0
     told = capsys.readouterr().out

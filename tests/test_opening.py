@@ -89,6 +89,7 @@ def test_a_file_may_name_its_environment(tmp_path: Path, monkeypatch: pytest.Mon
                 "terminal/0": "terminal.",
                 "reward/2": "reward(_, 1).",
                 "horizon/1": "horizon(3).",
+                "observation/1": "observation([]).",
             }.items()
         ),
         (":- fluent", ":- uniform_start.\n:- fluent", ":1: uniform_start has no place in this file"),
