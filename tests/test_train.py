@@ -214,10 +214,10 @@ def test_so_do_those_of_the_variants(four_blocks: Domain, plain_bias) -> None:
     value = {"critic": "value", "discount": 0.9}
     changes: list[dict] = [{}, value, value | {"trace": 0.5}, value | {"critic_step_size": 0.2}]
     changes += [value | {"critic_trees": 3}, value | {"normalise": "yes"}, {"normalise": "yes"}]
-    changes += [{"line_search": 1}, {"line_search": 3}, {"line_search": 3, "ratio_clip": 0.01}]
+    changes += [{"line_search": 1}, {"line_search": 3}, {"line_search": 3, "ratio_clip": 3.0}]
     found = [learned(four_blocks, plain_bias, **(base | change)).trees for change in changes]
     assert all(found.count(each) == 1 and each for each in found)
-    without = {"trace": 0.5, "critic_step_size": 0.2, "critic_trees": 3, "ratio_clip": 0.01}
+    without = {"trace": 0.5, "critic_step_size": 0.2, "critic_trees": 3, "ratio_clip": 3.0}
     assert learned(four_blocks, plain_bias, **(base | without)).trees == found[0]
 
 
