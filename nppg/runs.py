@@ -183,7 +183,7 @@ def _is_due(progress: Progress, iteration: Iteration, every: int) -> bool:
 def _judge(progress: Progress, starts: int, space: Space | None) -> Callable[[], tuple[Evaluation, Evaluation]]:
     """How the run's policy is evaluated: the stochastic and the greedy one."""
     policy, seed, factor = progress.policy, progress.options.seed, progress.options.horizon_factor
-    if policy.domain.uniform_start and progress.measure == "success":
+    if policy.domain.is_countable and progress.measure == "success":
         try:
             exact = ExactEvaluator(policy, space or Space(policy.domain, _CLASSES))
         except NppgError:

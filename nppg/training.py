@@ -42,7 +42,8 @@ def examples(batch: Sequence[Visit], options: Options) -> Examples:
     states: list[State] = []
     actions: list[Action] = []
     answers, gradients, curvatures = [], [], []
-    importance = options.importance if options.step == "second-order" else 1.0
+    importance = options.importance
+    assert importance is not None
     for step, value, _ in batch:
         updated, probabilities = updated_actions(step, options), step.probabilities
         if options.update == "all":

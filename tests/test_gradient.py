@@ -31,10 +31,13 @@ def test_gradients_sum_to_zero_and_match_finite_differences(psi: np.ndarray, dat
 
 @given(potentials, st.data(), values)
 def test_a_baseline_changes_no_expected_gradient(psi: np.ndarray, data, baseline: float) -> None:
-    """The gradients of all actions' advantages add up to the slope of the expected one, and of the expected value."""
+    """The gradients of all actions' advantages add up to the slope of the expected one, and of the expected value. So
+    do those of drawn actions on average, where visits are weighted by the power 0 of pi(s, a); not by its power 1."""
     worth = np.array(data.draw(st.lists(values, min_size=len(psi), max_size=len(psi))))
     pi = gibbs(psi)
     gradient = sum(functional_gradient(pi, a, worth[a] - baseline) for a in range(len(psi)))
+    drawn = sum(pi[a] * functional_gradient(pi, a, worth[a] - baseline, 0.0) for a in range(len(psi)))
+    assert drawn == pytest.approx(gradient, abs=1e-9)
     step = 1e-5
     for b, unit in enumerate(np.eye(len(psi))):
         more, less = gibbs(psi + step * unit), gibbs(psi - step * unit)
