@@ -23,7 +23,7 @@ def step(domain: Domain, cell: int, chosen: int) -> tuple[Step, tuple]:
     state, rng = (("cell", cell),), np.random.default_rng(0)
     actions = domain.situation(state).actions
     reward, following = domain.act(state, actions[chosen], rng)
-    return Step(state, actions, np.zeros((2, 0), bool), np.zeros(2), np.full(2, 0.5), chosen, reward), following
+    return Step(state, actions, np.zeros((2, 0), bool), np.zeros(2), np.full(2, 0.5), chosen, reward, state), following
 
 
 def transitions(domain: Domain) -> list[Episode]:
@@ -32,7 +32,7 @@ def transitions(domain: Domain) -> list[Episode]:
     for cell in (1, 2, 3):
         for chosen in (0, 1):
             taken, last = step(domain, cell, chosen)
-            found.append(Episode((taken,), last, domain.situation(last).actions, False, False))
+            found.append(Episode((taken,), last, domain.situation(last).actions, False, False, last))
     return found
 
 
@@ -93,7 +93,7 @@ def test_advantages_are_those_of_their_definition(chain, trace: float, ends: boo
     assert last is not None and (last == (("cell", 4),)) == ends
     open_actions = domain.situation(last).actions
     assert bool(open_actions) != ends
-    found = values.visits(Episode(tuple(steps), last, open_actions, False, False))
+    found = values.visits(Episode(tuple(steps), last, open_actions, False, False, last))
     v = [*values([each.state for each in steps]).tolist(), 0.0 if ends else values([last]).item()]
     assert len({round(each, 6) for each in v}) >= 3
     rewards = [each.reward for each in steps]

@@ -11,7 +11,7 @@ from nppg.episode import Step
 from nppg.options import Options
 from nppg.visits import Visit, kept, normalised
 
-STEP = Step((), [], np.zeros((0, 0), bool), np.zeros(0), np.zeros(0), 0, 0.0)
+STEP = Step((), [], np.zeros((0, 0), bool), np.zeros(0), np.zeros(0), 0, 0.0, ())
 values = st.lists(st.floats(-100, 100), min_size=1, max_size=20)
 
 
