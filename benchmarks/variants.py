@@ -22,6 +22,7 @@ SETTINGS: list[tuple[str, dict]] = [
     ("`line_search: 3`", {"line_search": 3}),
     ("`normalise: yes`", {"normalise": "yes"}),
     ("`critic: value`", {"critic": "value"}),
+    ("`critic: value`, `cut_off: bootstrap`", {"critic": "value", "cut_off": "bootstrap"}),
     ("`critic: value`, `trace: 0.9`", {"critic": "value", "trace": 0.9}),
     ("the same, `normalise: yes`", {"critic": "value", "trace": 0.9, "normalise": "yes"}),
     ("`step: second-order`", {"step": "second-order"}),

@@ -16,7 +16,7 @@ from nppg.options import Options
 from nppg.policy import Policy
 from nppg.visits import Visit
 
-OPTIONS = Options(critic="value", discount=0.9, trace=0.0, critic_step_size=1.0)
+OPTIONS = Options(critic="value", discount=0.9, trace=0.0, cut_off="bootstrap", critic_step_size=1.0)
 
 
 def step(domain: Domain, cell: int, chosen: int) -> tuple[Step, tuple]:
@@ -79,12 +79,13 @@ def learned(domain: Domain, bias: LanguageBias, options: Options) -> ValueFuncti
     return values
 
 
-@pytest.mark.parametrize("ends", [True, False])
+@pytest.mark.parametrize(("ends", "cut_off"), [(True, "bootstrap"), (False, "bootstrap"), (False, "end")])
 @pytest.mark.parametrize("trace", [1.0, 0.0, 0.6])
-def test_advantages_are_those_of_their_definition(chain, trace: float, ends: bool) -> None:
+def test_advantages_are_those_of_their_definition(chain, trace: float, ends: bool, cut_off: str) -> None:
     """Of an episode that ends in the last cell, and of one that its horizon cuts off before it."""
     domain, bias = chain
     values = learned(domain, bias, replace(OPTIONS, trace=trace))
+    values.options = replace(values.options, cut_off=cut_off)
     moves = [(1, 1), (2, 0), (1, 1), (2, 1), *([(3, 1)] if ends else [])]
     steps, last = [], None
     for cell, chosen in moves:
@@ -94,8 +95,9 @@ def test_advantages_are_those_of_their_definition(chain, trace: float, ends: boo
     open_actions = domain.situation(last).actions
     assert bool(open_actions) != ends
     found = values.visits(Episode(tuple(steps), last, open_actions, False, False, last))
-    v = [*values([each.state for each in steps]).tolist(), 0.0 if ends else values([last]).item()]
+    v = [*values([each.state for each in steps]).tolist(), values([last]).item()]
     assert len({round(each, 6) for each in v}) >= 3
+    v[-1] *= not ends and cut_off == "bootstrap"
     rewards = [each.reward for each in steps]
     for t, visit in enumerate(found):
         rest = range(t, len(steps))

@@ -49,7 +49,7 @@ def test_a_seed_reproduces_a_run_byte_for_byte(tmp_path: Path, relational_bias) 
 
 
 VARIANT = {"critic": "value", "trace": 0.8, "critic_trees": 2, "critic_step_size": 0.3, "normalise": "yes"}
-VARIANT |= {"line_search": 2, "ratio_clip": 0.4, "models": "per-action", "min_examples": 40}
+VARIANT |= {"cut_off": "bootstrap", "line_search": 2, "ratio_clip": 0.4, "models": "per-action", "min_examples": 40}
 
 
 @pytest.mark.parametrize("step", ["gradient", "second-order"])
@@ -213,11 +213,16 @@ def test_so_do_those_of_the_variants(four_blocks: Domain, plain_bias) -> None:
     base = {"episodes": 80, "seed": 1, "min_examples": 20}
     value = {"critic": "value", "discount": 0.9}
     changes: list[dict] = [{}, value, value | {"trace": 0.5}, value | {"critic_step_size": 0.2}]
-    changes += [value | {"critic_trees": 3}, value | {"normalise": "yes"}, {"normalise": "yes"}]
+    changes += [
+        value | {"cut_off": "bootstrap"},
+        value | {"critic_trees": 3},
+        value | {"normalise": "yes"},
+        {"normalise": "yes"},
+    ]
     changes += [{"line_search": 1}, {"line_search": 3}, {"line_search": 3, "ratio_clip": 3.0}]
     found = [learned(four_blocks, plain_bias, **(base | change)).trees for change in changes]
     assert all(found.count(each) == 1 and each for each in found)
-    without = {"trace": 0.5, "critic_step_size": 0.2, "critic_trees": 3, "ratio_clip": 3.0}
+    without = {"trace": 0.5, "cut_off": "bootstrap", "critic_step_size": 0.2, "critic_trees": 3, "ratio_clip": 3.0}
     assert learned(four_blocks, plain_bias, **(base | without)).trees == found[0]
 
 
@@ -268,6 +273,7 @@ def test_the_options_reach_training(four_blocks: Domain, plain_bias) -> None:
         {"trace": 1.1},
         {"critic_step_size": -1},
         {"critic_trees": 0},
+        {"cut_off": "on"},
         {"normalise": True},
     ],
 )
