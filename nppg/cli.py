@@ -21,7 +21,7 @@ from nppg.experiments import EXPERIMENTS
 from nppg.language_bias import LanguageBias, TreeLimits
 from nppg.learners import LEARNERS
 from nppg.options import Common, Options, at_least
-from nppg.shipped import locate, shipped
+from nppg.shipped import bias_for, locate, shipped
 
 if TYPE_CHECKING:
     from nppg.domain import Domain
@@ -224,26 +224,10 @@ def _domain(options: argparse.Namespace) -> Domain:
 
 
 def _bias_path(options: argparse.Namespace) -> Path:
-    """The file given by --bias, or that of the domain's name: beside the domain, else among the shipped ones.
-
-    Where a parameter is set to the name of another bias in that folder, the user is to choose."""
+    """The file given by --bias, or that of the domain's name."""
     if options.bias:
         return locate(options.bias, "language_bias", ".yaml")
-    domain = locate(options.domain, "domains", ".pl")
-    path = domain.with_suffix(".yaml")
-    if not path.is_file():
-        try:
-            path = locate(domain.stem, "language_bias", ".yaml")
-        except NppgError:
-            raise NppgError(
-                [Problem(str(path), 0, 0, "there is no language bias of this name; give one by --bias")]
-            ) from None
-    for setting in options.set:
-        other = path.parent / f"{setting.partition('=')[2]}.yaml"
-        if other in path.parent.glob("*.yaml") and other != path:
-            own, default = (each.stem if each.parent == shipped("language_bias") else each for each in (other, path))
-            raise NppgError(f"{setting} has a language bias of its own: give --bias {own}, or --bias {default}")
-    return path
+    return bias_for(options.domain, _parameters(options.set), "--bias ")
 
 
 def _doctor() -> int:
