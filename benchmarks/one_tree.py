@@ -15,8 +15,9 @@ import numpy as np
 
 from benchmarks.common import Row, timed
 from nppg import Domain, LanguageBias
-from nppg.coverage import Coverage, TestTable, root_table
+from nppg.coverage import Coverage, root_table
 from nppg.refinement import Refiner
+from nppg.table import TestTable
 from nppg.tilde import Example, fit
 from nppg.tree import Leaf, Tree
 
@@ -69,7 +70,7 @@ def predictions(tree: Tree, domain: Domain, bias: LanguageBias, examples: list[E
         if isinstance(tree, Leaf):
             result[members] = tree.value
         else:
-            holds = answers[np.ix_(members, [table.column(test) for test in tree.tests])].all(axis=1)
+            holds = answers[np.ix_(members, [table.place(test)[0] for test in tree.tests])].all(axis=1)
             descend(tree.yes, members[holds])
             descend(tree.no, members[~holds])
 

@@ -11,11 +11,12 @@ from typing import Any
 import nppg.episode
 import nppg.evaluation
 import nppg.prolog
+import nppg.regression
 import nppg.tilde
 import nppg.training
 from benchmarks.common import timed
 from benchmarks.training import learn
-from nppg.coverage import Coverage, TestTable
+from nppg.coverage import Coverage
 from nppg.forest import Forest
 from nppg.learners import LEARNERS
 from nppg.options import Common
@@ -25,13 +26,14 @@ from nppg.rrl.distance import PairDistance
 from nppg.rrl.instance_tree import InstanceTree
 from nppg.rrl.instances import Instances
 from nppg.rrl.tg import TG
+from nppg.table import TestTable
 
 STAGES: list[tuple[Any, str, str]] = [
     (nppg.episode, "generate_episode", "the loop of an episode, choosing"),
     (TestTable, "answers", "unpacking the answers"),
     (Forest, "sums", "summing the trees"),
     (nppg.training, "examples", "the functional gradient"),
-    (nppg.training, "grow", "growing a tree, the rest"),
+    (nppg.regression, "grow", "growing a tree, the rest"),
     (Refiner, "refinements", "refinements of a node"),
     (Coverage, "matrix", "gathering a node's answers"),
     (nppg.tilde, "best_split", "the best split"),

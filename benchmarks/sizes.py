@@ -10,10 +10,10 @@ import time
 from pathlib import Path
 
 from nppg import Domain, LanguageBias, Options, evaluate, train
-from nppg.coverage import TestTable
 from nppg.distill import distill
 from nppg.policy import Policy
 from nppg.shipped import locate
+from nppg.table import TestTable
 
 LEARNED = (4, 5, 6, 8, 10)
 TESTED = (10, 20, 50, 100)

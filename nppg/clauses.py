@@ -9,10 +9,10 @@ from __future__ import annotations
 import sys
 from functools import lru_cache
 
-from nppg.coverage import encoded
 from nppg.language_bias import LanguageBias, Template
-from nppg.logic import Literal, Term, Var, solve_equalities, substitute
+from nppg.logic import OPEN, Literal, Term, Var, solve_equalities, substitute, tightened
 from nppg.refinement import KIND
+from nppg.table import encoded
 from nppg.tree import Rule
 
 ClauseData = list
@@ -24,7 +24,7 @@ def to_clause(rule: Rule, bias: LanguageBias) -> ClauseData:
     theta, _ = solve_equalities(rule.query, len(bias.roots))
     kinds = [int(str(literal.args[0])) for literal in rule.query if literal.name == KIND]
     kinds = kinds or ([0] if len(bias.actions) == 1 else [])
-    body = substitute((each for each in rule.query if each.name not in ("=", KIND)), theta)
+    body = tightened(substitute((each for each in rule.query if each.name not in ("=", KIND)), theta))
     if bias.goal:
         goal = _literal(bias.goal, bias.offsets[-1])
         own = set(goal.args)
@@ -83,7 +83,11 @@ def from_clause(head: list, body: list[list], value: float, bias: LanguageBias) 
         bind(body[0][1:], bias.offsets[-1])
         body = body[1:]
     for name, *args in body:
-        if len(bias.types.get(name, ())) != len(args) or name not in bias.types:
+        if name in OPEN and len(args) == 2:
+            known, limit = args[0] in [*terms], args[1][0] if isinstance(args[1], list) else None
+            if not (known and isinstance(limit, int | float) and abs(limit) <= sys.float_info.max):
+                raise ValueError(f"a bound is a variable from before, {name} and a finite number")
+        elif len(bias.types.get(name, ())) != len(args) or name not in bias.types:
             raise ValueError(f"{name}/{len(args)} is no declared predicate")
         query.append(Literal(name, read(args)))
     if not abs(value) <= sys.float_info.max:

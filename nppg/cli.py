@@ -33,6 +33,7 @@ _LIMITS = {
     "min_examples": "each leaf holds at least so many examples",
     "min_variance": "a node with less is a leaf",
     "significance": "level of the F-test that a split must pass; 1 switches it off",
+    "granularity": "at most so many thresholds of a bound are tried at a node; 0: every cut point",
 }
 _RENAMED = {"min_examples": "min_leaf"}  # the option's name where another option has the field's
 

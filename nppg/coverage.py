@@ -1,143 +1,24 @@
-"""Which examples a test covers, asked of Prolog.
+"""Which examples a test covers.
 
-A `TestTable` holds the tests that are asked of every state-action pair: the refinements of the empty query and
-whatever the trees of a policy test. Their answers are kept with the pair as bits, for the potential and for all
-trees grown from it later. What a node needs beyond them, tests about the existential variables of its query,
-`Coverage` asks for as query packs: one call for all candidates on all examples of the node.
+Most answers are there already, for the examples come with those of a table. What a node needs beyond them, tests about
+the existential variables of its query, is asked of Prolog as query packs: one call for all candidates on all examples
+of the node.
 """
 
 from __future__ import annotations
 
 import weakref
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from nppg.domain import Action, Domain, State
+from nppg.facts import FactTable, suffices
 from nppg.language_bias import LanguageBias
-from nppg.logic import Literal, Query, Var, variables
-from nppg.prolog import ask, drop_with
+from nppg.logic import Literal, Query
+from nppg.prolog import ask
 from nppg.refinement import KIND, Refinement, Refiner
-
-WORD = 60  # tests in one integer: it stays a small one in Prolog
-_BITS = 64  # of an integer in NumPy
-
-
-class _Groups:
-    """The tests of one kind of action, by the arguments that they are about, and where their answers stand."""
-
-    def __init__(self) -> None:
-        self.columns: dict[tuple[int, ...], list[int]] = {}
-        self.always: list[int] = []
-        self.words = 0
-        self._places: np.ndarray = np.empty(0, np.intp)  # of each column's bit; that of none is never set
-
-    def update(self, size: int) -> None:
-        """To be called after columns have been added; there are `size` of them, those of other kinds included."""
-        self._places = np.full(size, WORD)
-        self.words = 0
-        for columns in self.columns.values():
-            for i, column in enumerate(columns):
-                self._places[column] = (self.words + i // WORD) * _BITS + i % WORD
-            self.words += -(-len(columns) // WORD)
-
-    def rows(self, words: list[int], count: int) -> np.ndarray:
-        """The answers to all columns; of each word in turn, `words` has that of every one of `count` actions."""
-        bits = _bits(np.array(words, "<i8").reshape(-1, count).T) if words else np.zeros((count, _BITS), bool)
-        result = bits.take(self._places, axis=1)
-        if self.always:
-            result[:, self.always] = True
-        return result
-
-
-class TestTable:
-    """The tests of a domain and bias that are compiled into Prolog clauses and asked together."""
-
-    __test__ = False  # it is no test case, whatever its name makes pytest think
-
-    def __init__(self, domain: Domain, bias: LanguageBias):
-        self.domain = domain
-        self.bias = bias
-        kinds = [[template.name, len(template.types)] for template in bias.actions]
-        goal = [bias.goal.name, len(bias.goal.types)] if bias.goal else []
-        self.name: str = ask("table", domain.module, kinds, goal)
-        drop_with(self, "table_drop", self.name)
-        self.tests: list[Query] = []
-        self._index: dict[Query, int] = {}
-        self._groups = [_Groups() for _ in bias.actions]
-        self.loaded: Callable[[], Coverage | None] = lambda: None  # whose examples Prolog holds
-        self._columns: dict[int, tuple[int, Sequence[Refinement], np.ndarray]] = {}
-
-    def __len__(self) -> int:
-        return len(self.tests)
-
-    def add(self, tests: Iterable[Query]) -> None:
-        """Adds what is not there yet."""
-        touched, before = set(), len(self)
-        for test in tests:
-            if test in self._index:
-                continue
-            column = self._index[test] = len(self.tests)
-            self.tests.append(test)
-            for kind, groups in enumerate(self._groups):
-                arguments = self._arguments(test, kind)
-                if test[0].name == KIND:
-                    groups.always += [column] if test[0].args[0] == kind else []
-                elif arguments is not None:
-                    groups.columns.setdefault(arguments, []).append(column)
-                    touched.add((kind, arguments))
-        for kind, arguments in sorted(touched):
-            groups = self._groups[kind]
-            group = [encoded(self.tests[column]) for column in groups.columns[arguments]]
-            words = [group[i : i + WORD] for i in range(0, len(group), WORD)]
-            ask("tests", self.name, kind, [list(groups.columns).index(arguments), [i + 1 for i in arguments]], words)
-        for groups in self._groups if len(self) > before else ():
-            groups.update(len(self))
-
-    def _arguments(self, test: Query, kind: int) -> tuple[int, ...] | None:
-        """The action's arguments that the test is about; None if some are another kind's, so that it never holds."""
-        own = range(*self.bias.offsets[kind : kind + 2])
-        used = sorted({var.index for var in variables(test) if var.index < self.bias.offsets[-1]})
-        return tuple(used) if all(index in own for index in used) else None
-
-    def column(self, test: Query) -> int:
-        """The column of a test in what `answers` returns."""
-        return self._index[test]
-
-    def columns(self, candidates: Sequence[Refinement]) -> np.ndarray:
-        """The column of each candidate's test, -1 where the table does not have it."""
-        size, _, found = self._columns.get(id(candidates), (-1, None, np.empty(0, int)))
-        if size != len(self):
-            found = np.array([self._index.get(each.test, -1) for each in candidates], dtype=np.intp)
-            self._columns[id(candidates)] = (len(self), candidates, found)
-        return found
-
-    def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
-        """Booleans of shape (actions, tests)."""
-        self.domain.visit(state)
-        kinds, words = ask("answers", self.name, actions)
-        if len(set(kinds)) == 1:
-            return self._groups[kinds[0]].rows(words, len(actions))
-        result = np.empty((len(actions), len(self)), bool)
-        start = 0
-        for kind in sorted(set(kinds)):
-            members = np.flatnonzero(np.array(kinds) == kind)
-            end = start + self._groups[kind].words * len(members)
-            result[members] = self._groups[kind].rows(words[start:end], len(members))
-            start = end
-        return result
-
-
-def encoded(query: Query) -> list:
-    """A query as the data that prolog/terms.pl reads."""
-    return [[name, *(arg.index if isinstance(arg, Var) else [arg] for arg in args)] for name, args in query]
-
-
-def _bits(words: np.ndarray) -> np.ndarray:
-    """Unpacks the words of each row, in order, to booleans of shape (rows, 64 * words per row)."""
-    array = np.ascontiguousarray(words).view(np.uint8)
-    return np.unpackbits(array, axis=1, bitorder="little").view(bool)
-
+from nppg.table import WORD, Table, TestTable, encoded, measure, unpacked
 
 Known = Mapping[Query, np.ndarray]
 
@@ -150,7 +31,7 @@ class Coverage:
 
     def __init__(
         self,
-        table: TestTable,
+        table: Table,
         states: Sequence[State],
         actions: Sequence[Action],
         bits: np.ndarray | None = None,
@@ -170,7 +51,7 @@ class Coverage:
         return np.concatenate(rows) if rows else np.empty((0, len(self.table)), bool)
 
     def matrix(self, candidates: Sequence[Refinement], members: np.ndarray, known: Known) -> tuple[np.ndarray, Known]:
-        """Booleans of shape (members, candidates), and what is now known.
+        """The answers, shape (members, candidates), and what is now known.
 
         `members` are the indices of the examples on which the candidates' query holds; `known` holds the answers
         that were asked for at the nodes above.
@@ -183,49 +64,65 @@ class Coverage:
         ]
         if missing:
             known = {**known, **self._ask(missing, members)}
-        result = np.empty((len(members), len(candidates)), bool)
+        result = np.empty((len(members), len(candidates)), self.bits.dtype)
         for i, (each, column) in enumerate(zip(candidates, columns, strict=True)):
             result[:, i] = self.bits[members, column] if column >= 0 else known[each.test][members]
         return result, known
 
     def _ask(self, candidates: Sequence[Refinement], members: np.ndarray) -> dict[Query, np.ndarray]:
-        self._load()
+        if isinstance(self.table, FactTable):
+            own = FactTable(self.table.domain, self.table.bias)
+            own.add(each.test for each in candidates)
+            return dict(zip(own.tests, Coverage(own, self.states, self.actions).bits.T, strict=True))
+        assert isinstance(self.table, TestTable)
+        self._load(self.table)
         by_prefix: dict[Query, list[Refinement]] = {}
         for each in candidates:
-            by_prefix.setdefault(each.prefix, []).append(each)
+            if not each.is_open:
+                by_prefix.setdefault(each.prefix, []).append(each)
         packs = [
             (prefix, group[i : i + WORD]) for prefix, group in by_prefix.items() for i in range(0, len(group), WORD)
         ]
+        bounds = [each.test for each in candidates if each.is_open]
+        asked = [[encoded(prefix), [encoded(each.literals) for each in pack]] for prefix, pack in packs]
         self.table.domain.forget()
-        words = ask(
-            "cover",
-            self.table.name,
-            [[encoded(prefix), [encoded(each.literals) for each in pack]] for prefix, pack in packs],
-            members.tolist(),
-        )
-        bits = _bits(np.array(words, "<i8").reshape(len(members), -1)).reshape(len(members), len(packs), _BITS)
-        answers = {}
-        for p, (_, pack) in enumerate(packs):
+        words = ask("cover", self.table.name, [*asked, *map(measure, bounds)], members.tolist())
+        by_pack = [words[i :: len(packs) + len(bounds)] for i in range(len(packs) + len(bounds))]
+        answers: dict[Query, np.ndarray] = {}
+
+        def note(test: Query, values: np.ndarray | list[float]) -> None:
+            answers[test] = np.zeros(len(self.actions), self.bits.dtype)
+            answers[test][members] = values
+
+        for (_, pack), own in zip(packs, by_pack, strict=False):
+            bits = unpacked(np.array(own, "<i8")[:, None])
             for i, each in enumerate(pack):
-                answers[each.test] = np.zeros(len(self.actions), bool)
-                answers[each.test][members] = bits[:, p, i]
+                note(each.test, bits[:, i] if self.bits.dtype == bool else ~bits[:, i])
+        for test, values in zip(bounds, by_pack[len(packs) :], strict=True):
+            note(test, values)
         return answers
 
-    def _load(self) -> None:
-        if self.table.loaded() is not self:
+    def _load(self, table: TestTable) -> None:
+        if table.loaded() is not self:
             runs = self._runs()
             numbers = np.repeat(np.arange(len(runs)), [b - a for a, b in runs]).tolist()
             pairs = [[number, action] for number, action in zip(numbers, self.actions, strict=True)]
-            self.table.domain.forget()
-            ask("examples", self.table.name, [list(self.states[a]) for a, _ in runs], pairs)
-            self.table.loaded = weakref.ref(self)
+            table.domain.forget()
+            ask("examples", table.name, [list(self.states[a]) for a, _ in runs], pairs)
+            table.loaded = weakref.ref(self)
 
 
-def root_table(domain: Domain, bias: LanguageBias, refiner: Refiner) -> TestTable:
+def root_table(domain: Domain, bias: LanguageBias, refiner: Refiner) -> Table:
     """The table of the tests that any node may ask: the refinements of the empty query, of every kind of action."""
-    table = TestTable(domain, bias)
     queries: list[Query] = [()]
     if len(bias.actions) > 1:
         queries += [(Literal(KIND, (kind,)),) for kind in range(len(bias.actions))]
-    table.add(each.test for query in queries for each in refiner.refinements(query))
+    tests = [each.test for query in queries for each in refiner.refinements(query)]
+    return table_of(tests, domain, bias)
+
+
+def table_of(tests: Sequence[Query], domain: Domain, bias: LanguageBias) -> Table:
+    """A table with these tests."""
+    table = FactTable(domain, bias) if suffices(tests, domain, bias) else TestTable(domain, bias)
+    table.add(tests)
     return table

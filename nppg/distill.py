@@ -13,7 +13,7 @@ from itertools import product
 
 import numpy as np
 
-from nppg.coverage import Coverage, TestTable, root_table
+from nppg.coverage import Coverage, root_table
 from nppg.domain import Action, State
 from nppg.episode import generate_episode
 from nppg.evaluation import ExactEvaluator, evaluate
@@ -22,6 +22,7 @@ from nppg.language_bias import LanguageBias, TreeLimits
 from nppg.logic import deciding_tests
 from nppg.policy import Policy
 from nppg.refinement import Refiner
+from nppg.table import Table
 from nppg.tilde import grow
 from nppg.tree import Rule, Tree, from_rules, rules
 
@@ -61,7 +62,7 @@ def distill(policy: Policy, bias: LanguageBias, max_rules: int = 10) -> Policy:
 class _Judge:
     """How well rules do: exactly where that is possible, else on starts sampled with one seed."""
 
-    def __init__(self, policy: Policy, table: TestTable, bias: LanguageBias):
+    def __init__(self, policy: Policy, table: Table, bias: LanguageBias):
         self.original = policy
         self.table = table
         self.bias = bias

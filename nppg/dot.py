@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import count
 
 from nppg.language_bias import LanguageBias, written
-from nppg.logic import Literal, Var
+from nppg.logic import OPEN, Literal, Var
 from nppg.refinement import KIND
 from nppg.tree import Leaf, Tree
 
@@ -46,8 +46,8 @@ def literal_text(literal: Literal, bias: LanguageBias) -> str:
     args = [_letter(arg.index) if isinstance(arg, Var) else written(arg) for arg in literal.args]
     if literal.name == KIND:
         return f"action is {bias.actions[int(args[0])].name}"
-    if literal.name == "=":
-        return f"{args[0]} = {args[1]}"
+    if literal.name == "=" or literal.name in OPEN:
+        return f"{args[0]} {literal.name} {args[1]}"
     return f"{written(literal.name)}({', '.join(args)})" if args else written(literal.name)
 
 

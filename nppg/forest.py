@@ -21,10 +21,11 @@ _CHUNK = 2_000_000  # leaves that are looked up at once
 
 class _Arrays(NamedTuple):
     """Every node has two places, one for either answer (failure, success), and is known by the first: at each place
-    the column that the node asks, the node behind that answer, the value of a leaf. A leaf leads to itself. `roots`
-    has one node per tree."""
+    the column that the node asks and its limit, the node behind that answer, the value of a leaf. A leaf leads to
+    itself. `roots` has one node per tree."""
 
     column: np.ndarray
+    limit: np.ndarray
     children: np.ndarray
     value: np.ndarray
     roots: np.ndarray
@@ -35,12 +36,13 @@ class _Arrays(NamedTuple):
         starts = np.arange(len(rows))[:, None] * rows.shape[1]
         answers = rows.ravel()
         for _ in range(depth):
-            node = self.children.take(node + answers.take(starts + self.column.take(node)))
+            answer = answers.take(starts + self.column.take(node))
+            node = self.children.take(node + (answer if rows.dtype == bool else answer <= self.limit.take(node)))
         return np.broadcast_to(self.value.take(node), (len(rows), len(self.roots)))
 
     def shifted(self, offset: int) -> _Arrays:
         """The same with places from `offset` on."""
-        return _Arrays(self.column, self.children + offset, self.value, self.roots + offset)
+        return self._replace(children=self.children + offset, roots=self.roots + offset)
 
 
 class Forest:
@@ -57,9 +59,9 @@ class Forest:
         self._rows = np.empty((16, width), bool)
         self._sums = np.empty(16)
 
-    def add(self, tree: Tree, column_of: Callable[[Query], int]) -> None:
-        """Adds a tree; `column_of` gives the place of a test's answer in a row."""
-        arrays, depth = _arrays(tree, column_of)
+    def add(self, tree: Tree, place_of: Callable[[Query], tuple[int, float]]) -> None:
+        """Adds a tree; `place_of` gives the column of a test in a row of answers, and its limit if they are numbers."""
+        arrays, depth = _arrays(tree, place_of)
         self._parts.append(arrays.shifted(self._places))
         self._places += len(arrays.value)
         self._depth = max(self._depth, depth)
@@ -73,6 +75,8 @@ class Forest:
         """The potential of each row of answers."""
         if not self._parts:
             return np.zeros(len(rows))
+        if rows.dtype != bool:  # numbers hardly ever come again
+            return self._summed(rows)
         if rows.shape[1] != self._rows.shape[1] or len(self._number) + len(rows) > _MEMORY:
             self._forget(rows.shape[1])
         width, answers = rows.shape[1], rows.tobytes()
@@ -89,11 +93,16 @@ class Forest:
             self._sums = np.concatenate([self._sums[:size], np.empty(end)])
         self._number |= {key: size + i for i, key in enumerate(keys)}
         self._rows[size:end] = rows
+        self._sums[size:end] = self._summed(rows)
+
+    def _summed(self, rows: np.ndarray) -> np.ndarray:
         trees = self._joined()
         step = max(1, _CHUNK // len(trees.roots))
+        sums = np.empty(len(rows))
         for a in range(0, len(rows), step):
             values = trees.leaf_values(rows[a : a + step], self._depth)
-            self._sums[size + a : size + a + len(values)] = np.cumsum(values, axis=1)[:, -1]
+            sums[a : a + step] = np.cumsum(values, axis=1)[:, -1]
+        return sums
 
     def _joined(self) -> _Arrays:
         if len(self._parts) > 1:
@@ -101,26 +110,28 @@ class Forest:
         return self._parts[0]
 
 
-def _arrays(tree: Tree, column_of: Callable[[Query], int]) -> tuple[_Arrays, int]:
+def _arrays(tree: Tree, place_of: Callable[[Query], tuple[int, float]]) -> tuple[_Arrays, int]:
     """A tree as arrays, and the number of answers on its longest path."""
     column: list[int] = []
+    limits: list[float] = []
     children: list[int] = []
     value: list[float] = []
 
-    def node(asked: int, failure: int, success: int, own: float) -> int:
-        column.extend((asked, asked))
+    def node(asked: tuple[int, float], failure: int, success: int, own: float) -> int:
+        column.extend((asked[0], asked[0]))
+        limits.extend((asked[1], asked[1]))
         children.extend((failure, success))
         value.extend((own, own))
         return len(value) - 2
 
     def place(part: Tree) -> tuple[int, int]:
         if isinstance(part, Leaf):
-            return node(0, len(value), len(value), part.value), 0
+            return node((0, 0.0), len(value), len(value), part.value), 0
         failure, below_failure = place(part.no)
         success, below_success = place(part.yes)
         for test in reversed(part.tests):
-            success = node(column_of(test), failure, success, 0.0)
+            success = node(place_of(test), failure, success, 0.0)
         return success, len(part.tests) + max(below_failure, below_success)
 
     root, depth = place(tree)
-    return _Arrays(np.array(column), np.array(children), np.array(value), np.array([root])), depth
+    return _Arrays(*map(np.array, (column, limits, children, value, [root]))), depth

@@ -21,7 +21,7 @@ from typing import NamedTuple, TypeVar
 import yaml
 
 from nppg.errors import NppgError, Problem, suggestion
-from nppg.logic import Constant
+from nppg.logic import OPEN, Constant
 
 KEYS = ("action", "goal", "subtypes", "types", "modes", "lookahead", "max_variables", "tree", "sentences")
 REQUIRED = ("action", "types", "modes")
@@ -52,13 +52,15 @@ class Argument:
 class Mode:
     """A literal that a tree may test; prints as it is written in the file. Its place is no part of its identity."""
 
-    name: str  # "=" for the built-in equal/2
+    name: str  # "=" for the built-in equal/2, "=<" or ">=" for a bound, whose threshold is OPEN
     args: tuple[Argument, ...]
     lookahead: int = 0  # how many further literals a test that starts with this one may add at once
     line: int = field(default=0, compare=False)
     column: int = field(default=0, compare=False)
 
     def __str__(self) -> str:
+        if self.name in OPEN:
+            return f"{self.args[0]} {self.name} #"
         return _atom("equal" if self.name == "=" else written(self.name), self.args)
 
 
@@ -83,9 +85,10 @@ class TreeLimits:
     min_examples: int = 2  # "minimal cases": each leaf holds at least so many examples
     min_variance: float = 1e-9  # a node whose targets have less variance is a leaf
     significance: float = 1.0  # level of the F-test that a split must pass (ACE's ftest); 1.0 switches it off
+    granularity: int = 0  # at most so many thresholds of a bound are tried at a node, quantiles of its examples; 0: all
 
     def __post_init__(self) -> None:
-        whole = (("max_depth", 0), ("min_examples", 1))
+        whole = (("max_depth", 0), ("min_examples", 1), ("granularity", 0))
         wrong = [
             f"{name} must be a whole number of at least {least}, not {value!r}"
             for name, least in whole
@@ -160,7 +163,7 @@ class LanguageBias:
             if (mode.name, len(mode.args)) == RESERVED:
                 message = "delta/3 is what the rules of a model are called; give the predicate another name"
                 problems.append(Problem(self.file, mode.line, mode.column, message))
-            elif mode.name != "=":
+            elif mode.name != "=" and mode.name not in OPEN:
                 look_up("predicate", mode, len(mode.args), predicates)
         return sorted(problems)
 
@@ -222,12 +225,14 @@ _TOKEN = re.compile(
       | (?P<quoted> '(?: [^'\\] | '' | \\[\\'] )*')
       | (?P<name> \w+)
       | (?P<sign> \+-? | -)
-      | (?P<mark> [()\[\],])""",
+      | (?P<bound> =< | >=)
+      | (?P<mark> [()\[\],\#])""",
     re.VERBOSE,
 )
 _HINTS = {
-    "#": ": write a set of constants as [a, b], without #",
     "=": ": equality is written equal(+type, +type)",
+    "<": ": a threshold is written +type =< # or +type >= #",
+    ">": ": a threshold is written +type =< # or +type >= #",
     "'": ": the quoted atom does not end",
     '"': ": an atom is quoted by '",
 }
@@ -256,6 +261,8 @@ class _Parser:
         return self.tokens[0]
 
     def literal(self) -> tuple[str, list[tuple[Argument, int]]]:
+        if self.next.kind == "sign":
+            return self.bound()
         at, name = self.next.offset, self.constant("a name")
         if not isinstance(name, str):
             raise _Mistake(at, f"a name is wanted, not the number {name}")
@@ -263,6 +270,19 @@ class _Parser:
         if self.next.kind != "end":
             raise self.unexpected("the end of the literal")
         return name, args
+
+    def bound(self) -> tuple[str, list[tuple[Argument, int]]]:
+        term = self.argument()
+        if self.next.kind != "bound":
+            raise self.unexpected("=< or >=, as in +weight =< #,")
+        name = self.tokens.pop(0).text
+        if self.next.text != "#":
+            hint = ": YAML ends a text at ' #', unless it is in quotes" if self.next.kind == "end" else ""
+            raise _Mistake(self.next.offset, f"# is wanted, a threshold that is found from the examples{hint}")
+        at = self.tokens.pop(0).offset
+        if self.next.kind != "end":
+            raise self.unexpected("the end of the literal")
+        return name, [term, (Argument("#", "", (OPEN[name],)), at)]
 
     def sequence(self, end: str, item: Callable[[], Item]) -> list[Item]:
         self.tokens.pop(0)
@@ -298,6 +318,9 @@ class _Parser:
 
     def constant(self, wanted: str) -> Constant:
         token = self.next
+        if token.text == "#":
+            hint = "write a set of constants as [a, b], without #"
+            raise _Mistake(token.offset, f"'#' has no place in a literal: {hint}")
         if token.kind not in ("number", "quoted", "name"):
             raise self.unexpected(wanted)
         self.tokens.pop(0)
@@ -510,6 +533,8 @@ class _Reader:
         for name, value in entries.items():
             if name in EQUALITY:
                 self.report(value, "equal/2 is built in and has no type declaration: its modes name the types")
+            elif name in OPEN:
+                self.report(value, f"{name} is built in and has no type declaration: its modes name the type")
             nodes = self.items(value, f"the types of {name!r} are a list, like [block, place]")
             types = [self.type_name(each) for each in nodes or ()]
             self.types[name] = None if nodes is None or None in types else tuple(each for each in types if each)
@@ -651,6 +676,8 @@ class _Reader:
         if name in EQUALITY:
             types = self.equal_types(node, args)
             name = "="
+        elif name in OPEN:
+            types = self.bound_types(node, args)
         elif name not in self.types:
             if self.complete:
                 self.report(node, f"{name!r} has no type declaration{suggestion(name, self.types)}")
@@ -687,6 +714,17 @@ class _Reader:
             return None
         (left, _), (right, _) = args
         return left.type or right.type, right.type or left.type
+
+    def bound_types(self, node: yaml.Node, args: list[tuple[Argument, int]]) -> tuple[str, ...] | None:
+        """The type of what is bounded; a threshold has the same."""
+        term, offset = args[0] if args else (Argument("", ""), 0)
+        if [arg.constants for arg, _ in args[1:]] not in [[(limit,)] for limit in OPEN.values()]:
+            self.report(node, "=< and >= are built in: write +weight =< # for a threshold")
+        elif not (term.kind == "+" and term.type):
+            self.report(node, f"a threshold is for an existing variable of a type, like +weight, not {term}", offset)
+        else:
+            return term.type, term.type
+        return None
 
     # -------------------------------------------------- limits
 

@@ -8,11 +8,15 @@ variable. A component is therefore the unit that is asked of Prolog and whose an
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import permutations
 from typing import NamedTuple
 
 Constant = str | int | float
+
+
+OPEN = {"=<": -math.inf, ">=": math.inf}  # by the names of bounds
 
 
 class Var(NamedTuple):
@@ -32,6 +36,23 @@ class Literal(NamedTuple):
 
     def variables(self) -> Iterator[Var]:
         return (arg for arg in self.args if isinstance(arg, Var))
+
+
+def implies(literal: Literal, weaker: Literal) -> bool:
+    """Whether both bound one term in one direction, the first at least as tightly."""
+    if literal.name != weaker.name or literal.name not in OPEN or literal.args[0] != weaker.args[0]:
+        return False
+    limit, other = literal.args[1], weaker.args[1]
+    assert isinstance(limit, int | float) and isinstance(other, int | float)
+    return limit <= other if literal.name == "=<" else limit >= other
+
+
+def tightened(query: Iterable[Literal]) -> Query:
+    """Without the bounds that another bound of the query implies."""
+    kept = tuple(dict.fromkeys(query))
+    if not any(literal.name in OPEN for literal in kept):
+        return kept
+    return tuple(each for each in kept if not any(other != each and implies(other, each) for other in kept))
 
 
 Query = tuple[Literal, ...]
@@ -99,7 +120,7 @@ def solve_equalities(query: Iterable[Literal], roots: int) -> tuple[dict[Var, Te
 
 def subsumes(general: Query, special: Query, roots: int) -> bool:
     """Whether `general` θ-subsumes `special`: some substitution of its existential variables maps every
-    literal of `general` into `special`."""
+    literal of `general` into `special`, or to a bound that one of `special` implies."""
     by_name: dict[tuple[str, int], list[Literal]] = {}
     for literal in special:
         by_name.setdefault((literal.name, len(literal.args)), []).append(literal)
@@ -108,9 +129,12 @@ def subsumes(general: Query, special: Query, roots: int) -> bool:
         if position == len(general):
             return True
         name, args = general[position]
+        terms = args[:1] if name in OPEN else args
         for candidate in by_name.get((name, len(args)), ()):
+            if name in OPEN and not implies(candidate, Literal(name, (candidate.args[0], args[1]))):
+                continue
             extended = dict(theta)
-            for arg, target in zip(args, candidate.args, strict=True):
+            for arg, target in zip(terms, candidate.args, strict=False):
                 if isinstance(arg, Var) and arg.index >= roots:
                     if extended.setdefault(arg, target) != target:
                         break
@@ -127,7 +151,7 @@ def subsumes(general: Query, special: Query, roots: int) -> bool:
 def reduced(query: Query, roots: int) -> Query:
     """The query without duplicates and without literals that θ-subsumption makes redundant (Plotkin's
     reduction)."""
-    kept = list(dict.fromkeys(query))
+    kept = list(tightened(query))
     for literal in reversed(list(kept)):
         if any(var.index >= roots for var in literal.variables()):
             rest = [other for other in kept if other != literal]
@@ -171,6 +195,20 @@ def normal_form(query: Query, roots: int) -> Query | None:
     kept = [Literal("=", (term, var)) for var, term in sorted(theta.items()) if var.index < roots]
     rest = substitute((literal for literal in query if literal.name != "="), theta)
     return canonical(reduced((*kept, *rest), roots), roots)
+
+
+def opened(test: Query) -> tuple[Query, float]:
+    """What decides a test, and its limit: the test holds exactly if the value of what decides it is at most the limit.
+
+    That of a test without a bound is 0 where it holds, else 1. That of a test with `X =< c` is the least X for which
+    its other literals hold, of one with `X >= c` the least -X; infinity where there is none. The first bound counts."""
+    for i, (name, args) in enumerate(test):
+        if name in OPEN:
+            limit = args[1]
+            assert isinstance(limit, int | float)
+            open_test = (*test[:i], Literal(name, (args[0], OPEN[name])), *test[i + 1 :])
+            return open_test, float(limit if name == "=<" else -limit)
+    return test, 0.5
 
 
 def deciding_tests(query: Query, literals: Query, roots: int) -> tuple[Query, ...]:

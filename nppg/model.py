@@ -17,6 +17,7 @@ from typing import Any
 
 from nppg import __version__
 from nppg.clauses import from_clause
+from nppg.coverage import table_of
 from nppg.domain import Domain
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.language_bias import LanguageBias, Template, TreeLimits
@@ -24,7 +25,7 @@ from nppg.logic import deciding_tests
 from nppg.options import Options
 from nppg.policy import Policy
 from nppg.prolog import ask, ground
-from nppg.tree import Rule, from_rules
+from nppg.tree import Rule, from_rules, tests
 
 FORMAT = 1
 
@@ -149,11 +150,16 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Policy:
         raise _wrong(path, 1, f"the domain stands beside its model: {domain_file} cannot be its file")
     beside = path.parent / domain_file
     domain = Domain(beside if beside.is_file() else Path(domain_file).stem, {**_parameters(path, known), **parameters})
-    policy = Policy(domain, _bias(path, known, domain))
+    bias = _bias(path, known, domain)
+    trees = [
+        from_rules(rules, lambda query, literals: deciding_tests(query, literals, len(bias.roots)))
+        for rules in _trees(path, clauses, bias, known)
+    ]
+    policy = Policy(domain, bias, table_of([test for tree in trees for test in tests(tree)], domain, bias))
     policy.facts = known
     policy.greedy = known.get("learner", [Options.learner]) != [Options.learner]
-    for rules in _trees(path, clauses, policy.bias, known):
-        policy.add(from_rules(rules, lambda query, literals: deciding_tests(query, literals, len(policy.bias.roots))))
+    for tree in trees:
+        policy.add(tree)
     for problem in another_domain(path, policy):
         warnings.warn(str(problem), stacklevel=3)
     if "instance" in known:

@@ -65,6 +65,7 @@ class Options(Common):
         high=1,
     )
     replay: int = option(0, "earlier rewarded steps that each tree learns from again, under the present policy", low=0)
+    regressor: str = option("tilde", "what fits the trees: TILDE, or CART by scikit-learn", choices=("tilde", "cart"))
     unrewarded: str = option("keep", "what becomes of steps with return 0: keep, or drop", choices=("keep", "drop"))
 
 

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 from nppg.clauses import to_clause
-from nppg.coverage import TestTable
 from nppg.domain import Action, Domain, Ground, State
 from nppg.errors import NppgError
 from nppg.forest import Forest
@@ -16,7 +15,8 @@ from nppg.gradient import gibbs
 from nppg.language_bias import LanguageBias
 from nppg.logic import Var
 from nppg.prolog import ask, drop_with
-from nppg.tree import Leaf, Tree, leaves, mapped, rules
+from nppg.table import Table, TestTable
+from nppg.tree import Tree, leaves, mapped, rules, tests
 
 
 class Policy:
@@ -28,10 +28,10 @@ class Policy:
 
     greedy = False  # whether it takes an action of the highest potential wherever it does not learn
 
-    def __init__(self, domain: Domain, bias: LanguageBias, table: TestTable | None = None):
+    def __init__(self, domain: Domain, bias: LanguageBias, table: Table | None = None):
         self.domain = domain
         self.bias = bias
-        self.table = table or TestTable(domain, bias)
+        self.table = TestTable(domain, bias) if table is None else table
         self.trees: list[Tree] = []
         self.comments: list[str] = []
         self.facts: Mapping[str, list] = {}  # what the head of its model file says, where it was read from one
@@ -45,8 +45,8 @@ class Policy:
         """Adds step_size * tree to the potential."""
         scaled = mapped(tree, lambda value: float(value * step_size))
         ask("tree", self.name, [to_clause(rule, self.bias) for rule in rules(scaled)])
-        self.table.add(_tests(scaled))
-        self._forest.add(scaled, self.table.column)
+        self.table.add(tests(scaled))
+        self._forest.add(scaled, self.table.place)
         self.trees.append(scaled)
         self.comments.append(comment or f"{leaves(tree)} leaves")
         self._leaves += leaves(tree)
@@ -134,7 +134,3 @@ def choose(probabilities: np.ndarray, rng: np.random.Generator, greedy: bool = F
 def is_best(probabilities: np.ndarray, highest: np.ndarray | float) -> np.ndarray:
     """Which probabilities are the highest, but for rounding."""
     return probabilities >= highest * (1 - 1e-9)
-
-
-def _tests(tree: Tree) -> list:
-    return [] if isinstance(tree, Leaf) else [*tree.tests, *_tests(tree.yes), *_tests(tree.no)]

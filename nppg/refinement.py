@@ -1,8 +1,9 @@
 """The refinement operator under θ-subsumption.
 
 A refinement of a query adds a literal that a mode declaration allows (with lookahead, several at once),
-unifies two of its variables, or grounds one; the last two are literals of `=`. No refinement is equivalent
-to the query itself or to another one.
+unifies two of its variables, grounds one, or bounds one; the last three are literals of `=`, `=<` and `>=`. A
+bound's threshold is OPEN: who looks at the examples closes it. No refinement is equivalent to the query itself or to
+another one.
 """
 
 from __future__ import annotations
@@ -12,7 +13,19 @@ from dataclasses import dataclass
 from itertools import product
 
 from nppg.language_bias import Argument, LanguageBias, Mode
-from nppg.logic import Literal, Query, Term, Var, components, normal_form, solve_equalities, substitute, subsumes
+from nppg.logic import (
+    OPEN,
+    Literal,
+    Query,
+    Term,
+    Var,
+    components,
+    normal_form,
+    solve_equalities,
+    substitute,
+    subsumes,
+    tightened,
+)
 
 KIND = "$action"
 _MEMORY = 20_000
@@ -31,6 +44,28 @@ class Refinement:
     test: Query
     prefix: Query
 
+    @property
+    def is_open(self) -> bool:
+        """Whether a threshold is still to be found."""
+        return is_open(self.literals[-1])
+
+    def closed(self, limit: float) -> Refinement:
+        """With the threshold that makes its test's limit this one."""
+        return Refinement(closed(self.literals, limit), closed(self.test, limit), self.prefix)
+
+
+def closed(query: Query, limit: float) -> Query:
+    """A query with the threshold that makes its limit this one in place of OPEN; see logic.opened."""
+    return tuple(
+        Literal(each.name, (each.args[0], limit if each.name == "=<" else -limit)) if is_open(each) else each
+        for each in query
+    )
+
+
+def is_open(literal: Literal) -> bool:
+    """Whether it is a bound whose threshold is still to be found."""
+    return literal.name in OPEN and literal.args[1] == OPEN[literal.name]
+
 
 class Refiner:
     """The refinements of queries under a language bias; remembers what it has computed."""
@@ -46,10 +81,13 @@ class Refiner:
         """All refinements of an associated query, in the order of the mode declarations."""
         found = self._by_query.get(query)
         if found is None:
-            core = tuple(literal for literal in query if self._matters(literal))
+            core, thresholds = _ranked(tightened(literal for literal in query if self._matters(literal)))
             if core not in self._by_core:
                 self._by_core[core] = tuple(self._distinct(core))
-            found = tuple(self._adding(self._by_core[core], query))
+            possible = self._by_core[core]
+            if thresholds:
+                possible = tuple(_unranked(each, thresholds) for each in possible)
+            found = tuple(self._adding(possible, query))
             if len(self._by_query) >= _MEMORY:
                 self._by_query.clear()
             self._by_query[query] = found
@@ -66,7 +104,7 @@ class Refiner:
     def _is_instance(self, literal: Literal, mode: Mode, types: dict[Var, str]) -> bool:
         def fits(term: Term, arg: Argument) -> bool:
             if not isinstance(term, Var):
-                return arg.kind == "#" and term in arg.constants
+                return arg.kind == "#" and (term in arg.constants or mode.name in OPEN)
             known = term in types
             if arg.kind == "#" or (known and not self.bias.fits(types[term], arg.type)):
                 return False
@@ -114,7 +152,8 @@ class Refiner:
         if len(kinds) > 1 and not asked:
             yield from ((Literal(KIND, (kind,)),) for kind in range(len(kinds)))
         types = self._typed_variables(core)
-        for mode in self.bias.modes:
+        bounds_first = sorted(self.bias.modes, key=lambda mode: mode.name not in OPEN)  # no new variable where one is
+        for mode in bounds_first:
             for literal in self._literals(mode, types):
                 yield (literal,)
                 yield from self._lookahead((literal,), types, min(mode.lookahead, self.bias.max_lookahead))
@@ -129,7 +168,8 @@ class Refiner:
             for literal in self._literals(mode, extended):
                 if literal not in literals and new & set(literal.variables()):
                     yield (*literals, literal)
-                    yield from self._lookahead((*literals, literal), types, steps - 1)
+                    if not is_open(literal):  # one threshold at a time
+                        yield from self._lookahead((*literals, literal), types, steps - 1)
 
     def _typed_variables(self, core: Query) -> dict[Var, str]:
         """The variables that a literal may use. The arguments of an action are there once its kind is known."""
@@ -170,3 +210,28 @@ class Refiner:
             if choice.count(None) > room or len(set(taken)) < len(taken):
                 continue
             yield Literal(mode.name, args)
+
+
+def _ranked(core: Query) -> tuple[Query, list[float]]:
+    """The query with the ranks of its thresholds in their place, and the thresholds by rank. Queries that differ in
+    thresholds alone have the same refinements but for these."""
+    thresholds = sorted({float(each.args[1]) for each in core if each.name in OPEN})  # type: ignore[arg-type]
+    if not thresholds:
+        return core, thresholds
+    ranks = {threshold: rank for rank, threshold in enumerate(thresholds)}
+    return tuple(
+        Literal(each.name, (each.args[0], ranks[each.args[1]])) if each.name in OPEN else each  # type: ignore[index]
+        for each in core
+    ), thresholds
+
+
+def _unranked(refinement: Refinement, thresholds: list[float]) -> Refinement:
+    def restored(query: Query) -> Query:
+        return tuple(
+            Literal(each.name, (each.args[0], thresholds[each.args[1]]))  # type: ignore[index]
+            if each.name in OPEN and not is_open(each)
+            else each
+            for each in query
+        )
+
+    return Refinement(refinement.literals, restored(refinement.test), restored(refinement.prefix))

@@ -51,25 +51,20 @@ class Newton:
 
 
 def grow(
-    targets: np.ndarray, coverage: Coverage, refiner: Refiner, limits: TreeLimits, newton: Newton | None = None
+    targets: np.ndarray,
+    coverage: Coverage,
+    refiner: Refiner,
+    limits: TreeLimits,
+    newton: Newton | None = None,
+    query: Query = (),
 ) -> Tree:
-    """Grows a tree for one target per example of `coverage`: of means, or for a second-order step."""
-
-    def leaf(members: np.ndarray) -> Leaf:
-        total, weight = math.fsum(targets[members].tolist()), float(max(len(members), 1))
-        if newton:
-            weight = math.fsum(newton.curvatures[members].tolist()) + newton.regularisation
-        value = total / weight if weight else 0.0
-        return Leaf(max(-newton.clip, min(newton.clip, value)) if newton else value, len(members))
+    """Grows a tree for one target per example of `coverage`: of means, or for a second-order step. `query` is the
+    root's: it holds for all examples."""
 
     def node(query: Query, members: np.ndarray, known: Known, depth: int) -> Tree:
         values = targets[members]
-        if (
-            depth == limits.max_depth
-            or len(values) < 2 * limits.min_examples
-            or _variance(values) < limits.min_variance
-        ):
-            return leaf(members)
+        if depth == limits.max_depth or is_pure(values, limits):
+            return leaf(targets, members, newton)
         candidates = refiner.refinements(query)
         answers, known = coverage.matrix(candidates, members, known)
         if newton:
@@ -77,8 +72,10 @@ def grow(
         else:
             best = best_split(answers, values, limits)
         if best is None:
-            return leaf(members)
-        chosen, covered = candidates[best], answers[:, best]
+            return leaf(targets, members, newton)
+        chosen, covered = candidates[best.candidate], best.covered(answers)
+        if chosen.is_open:
+            chosen = chosen.closed(best.limit)
         return Node(
             chosen.literals,
             (chosen.test,),
@@ -86,33 +83,103 @@ def grow(
             node(query, members[~covered], known, depth + 1),
         )
 
-    return node((), np.arange(len(targets)), {}, 0)
+    return node(query, np.arange(len(targets)), {}, 0)
 
 
-def best_split(answers: np.ndarray, values: np.ndarray, limits: TreeLimits) -> int | None:
-    """The candidate that reduces the weighted variance most, or None if none may split.
+def leaf(targets: np.ndarray, members: np.ndarray, newton: Newton | None) -> Leaf:
+    """Of these examples."""
+    total, weight = math.fsum(targets[members].tolist()), float(max(len(members), 1))
+    if newton:
+        weight = math.fsum(newton.curvatures[members].tolist()) + newton.regularisation
+    value = total / weight if weight else 0.0
+    return Leaf(max(-newton.clip, min(newton.clip, value)) if newton else value, len(members))
+
+
+def is_pure(values: np.ndarray, limits: TreeLimits) -> bool:
+    """Whether a node with these targets is not to be split: they are too few, or too alike."""
+    return len(values) < 2 * limits.min_examples or _variance(values) < limits.min_variance
+
+
+class Split(NamedTuple):
+    """A candidate, and the limit of what it covers where answers are numbers."""
+
+    candidate: int
+    limit: float
+
+    def covered(self, answers: np.ndarray) -> np.ndarray:
+        """Which examples pass, for answers of shape (examples, candidates)."""
+        own = answers[:, self.candidate]
+        return own if own.dtype == bool else own <= self.limit
+
+
+class _Splits:
+    """The possible splits of a node's examples, by their answers: one for each candidate; where answers are numbers,
+    one for each candidate and each cut between two values, halfway (the lower value where that is as far as numbers
+    go), or for at most `granularity` quantiles of the cuts of each candidate."""
+
+    def __init__(self, answers: np.ndarray, granularity: int):
+        self._truths = answers.dtype == bool
+        if self._truths:
+            self._covered = answers.astype(float)
+            return
+        self._order = np.argsort(answers, axis=0, kind="stable")
+        ordered = np.take_along_axis(answers, self._order, axis=0)
+        cuts = (ordered[:-1] < ordered[1:]).T
+        if granularity:
+            cuts = np.stack([_quantiles(each, granularity) for each in cuts])
+        self._candidates, self._last = np.nonzero(cuts)  # of each split, and the position of the last covered example
+        low, high = ordered[self._last, self._candidates], ordered[self._last + 1, self._candidates]
+        middle = low / 2 + high / 2
+        self._limits = np.where((middle < high) & np.isfinite(middle), middle, low)
+
+    def sums(self, weights: np.ndarray) -> np.ndarray:
+        """For each split the sum of the weights, shape (examples,), of the examples that it covers."""
+        if self._truths:
+            return (self._covered * weights[:, None]).sum(axis=0)
+        return weights[self._order].cumsum(axis=0)[self._last, self._candidates]
+
+    def counts(self) -> np.ndarray:
+        """For each split the number of examples that it covers."""
+        return self._covered.sum(axis=0) if self._truths else self._last + 1.0
+
+    def __getitem__(self, split: int) -> Split:
+        return Split(split, 0.5) if self._truths else Split(int(self._candidates[split]), float(self._limits[split]))
+
+
+def _quantiles(cuts: np.ndarray, granularity: int) -> np.ndarray:
+    """At most so many of the cuts, each the first that leaves the k-th share of the examples below it."""
+    places = np.flatnonzero(cuts)
+    if len(places) <= granularity:
+        return cuts
+    wanted = np.arange(1, granularity + 1) * (len(cuts) + 1) / (granularity + 1) - 1
+    kept = np.zeros_like(cuts)
+    kept[places[np.minimum(np.searchsorted(places, wanted), len(places) - 1)]] = True
+    return kept
+
+
+def best_split(answers: np.ndarray, values: np.ndarray, limits: TreeLimits) -> Split | None:
+    """The split that reduces the weighted variance most, or None if none may split.
 
     `answers` has shape (examples, candidates). The reduction of the sum of squares is
     s1^2 / n1 + s0^2 / n0 - s^2 / n with the sums s and counts n of the two branches.
     """
-    covered = answers.astype(float)
-    n1 = covered.sum(axis=0)
-    s1, count = (covered * values[:, None]).sum(axis=0), len(values)
-    found = best_gain(s1, values.sum(), n1, count, n1, float(count), limits.min_examples)
+    splits = _Splits(answers, limits.granularity)
+    n1, count = splits.counts(), len(values)
+    found = best_gain(splits.sums(values), values.sum(), n1, count, n1, float(count), limits.min_examples)
     squares = _variance(values) * count
-    return found[0] if found and is_significant(found[1], squares, count, limits.significance) else None
+    return splits[found[0]] if found and is_significant(found[1], squares, count, limits.significance) else None
 
 
 def best_step(
     answers: np.ndarray, values: np.ndarray, curvatures: np.ndarray, regularisation: float, limits: TreeLimits
-) -> int | None:
-    """The candidate with the largest sum of f^2 / (h + regularisation) over the two branches, f and h the branch's
-    sums, or None if none exceeds that of the undivided node. There is no F-test."""
-    covered = answers.astype(float)
-    s1, h1 = ((covered * each[:, None]).sum(axis=0) for each in (values, curvatures))
-    n1, whole = covered.sum(axis=0), float(curvatures.sum())
-    found = best_gain(s1, values.sum(), n1, len(values), h1, whole, limits.min_examples, regularisation)
-    return found[0] if found and found[1] >= 1e-9 else None
+) -> Split | None:
+    """The split with the largest sum of f^2 / (h + regularisation) over the two branches, f and h the branch's sums,
+    or None if none exceeds that of the undivided node. There is no F-test."""
+    splits = _Splits(answers, limits.granularity)
+    s1, h1 = splits.sums(values), splits.sums(curvatures)
+    whole = float(curvatures.sum())
+    found = best_gain(s1, values.sum(), splits.counts(), len(values), h1, whole, limits.min_examples, regularisation)
+    return splits[found[0]] if found and found[1] >= 1e-9 else None
 
 
 def best_gain(
@@ -125,10 +192,10 @@ def best_gain(
     least: int,
     regularisation: float = 0.0,
 ) -> tuple[int, float] | None:
-    """The candidate of the largest s1^2 / w1 + s0^2 / w0 - s^2 / w, and that gain; None where no candidate leaves
+    """The split of the largest s1^2 / w1 + s0^2 / w0 - s^2 / w, and that gain; None where no split leaves
     `least` examples to both branches.
 
-    Of each candidate's covered examples: the sum `s1` of the values, the number `n1` and the sum `weights` of weights,
+    Of each split's covered examples: the sum `s1` of the values, the number `n1` and the sum `weights` of weights,
     and of all examples `total`, `count` and `whole`; `regularisation` is added to each weight. The sums are to run in a
     fixed order, so that the outcome does not depend on the machine's linear algebra."""
     w1, w0 = weights + regularisation, whole - weights + regularisation

@@ -9,16 +9,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nppg.coverage import Coverage, root_table
 from nppg.domain import Action, Domain, State
 from nppg.episode import Episode, Step, training_episodes
 from nppg.gradient import functional_gradient, returns, taken_gradient
 from nppg.language_bias import LanguageBias
 from nppg.options import Options
 from nppg.policy import Policy
-from nppg.refinement import Refiner
-from nppg.tilde import Newton, grow
-from nppg.tree import Tree, leaves
+from nppg.regression import Examples, regressor
+from nppg.tilde import Newton
+from nppg.tree import leaves
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,18 +61,8 @@ def updated_actions(step: Step, options: Options) -> slice:
     return slice(None) if options.update == "all" else slice(step.chosen, step.chosen + 1)
 
 
-class Examples(NamedTuple):
-    """What a tree is fitted to, an entry or a row for each updated action of each visit."""
-
-    states: list[State]
-    actions: list[Action]
-    answers: np.ndarray
-    gradients: np.ndarray
-    curvatures: np.ndarray
-
-
 def examples(batch: Sequence[Visit], options: Options) -> Examples:
-    """The functional gradient at each updated action b (Proposition 3.1), and the curvature
+    """The functional gradient at each updated action b (Proposition 3.1); for a second-order step also the curvature
     |value| pi(s, b) (1 - pi(s, b))."""
     states: list[State] = []
     actions: list[Action] = []
@@ -89,22 +78,22 @@ def examples(batch: Sequence[Visit], options: Options) -> Examples:
         answers.append(step.answers[updated])
         actions += step.actions[updated]
         states += [step.state] * len(gradients[-1])
-    return Examples(states, actions, *map(np.concatenate, (answers, gradients, curvatures)))
-
-
-def fitted(found: Examples, policy: Policy, refiner: Refiner, options: Options) -> Tree:
-    """The tree of one iteration."""
-    coverage = Coverage(policy.table, found.states, found.actions, found.answers)
-    newton = Newton(found.curvatures, options.regularisation, options.clip) if options.step == "second-order" else None
-    return grow(found.gradients, coverage, refiner, policy.bias.tree, newton)
+    newton = Newton(np.concatenate(curvatures), options.regularisation, options.clip)
+    return Examples(
+        states,
+        actions,
+        np.concatenate(answers),
+        np.concatenate(gradients),
+        newton if options.step == "second-order" else None,
+    )
 
 
 def train(domain: Domain, bias: LanguageBias, options: Options | None = None) -> Iterator[Iteration]:
     """Yields after each tree, the first time before the first one. Raises NppgError."""
     options = options or Options()
     rng = np.random.default_rng(options.seed)
-    refiner = Refiner(bias)
-    policy = Policy(domain, bias, root_table(domain, bias, refiner))
+    learner = regressor(domain, bias, options)
+    policy = Policy(domain, bias, learner.table)
     memory: deque[Visit] = deque(maxlen=options.replay)
     batch: list[Visit] = []
     recent: list[Episode] = []
@@ -120,7 +109,7 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None) ->
             continue
         if enough:
             replayed = [revisited(visit, policy) for visit in memory]
-            tree = fitted(examples([*replayed, *batch], options), policy, refiner, options)
+            tree = learner.fit(examples([*replayed, *batch], options))
             memory.extend(visit for visit in batch if visit.value != 0)
             size = f"{gathered} examples, {leaves(tree)} leaves"
             policy.add(tree, options.step_size, f"step size {options.step_size}, {size}")

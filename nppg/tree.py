@@ -64,6 +64,11 @@ def leaves(tree: Tree) -> int:
     return 1 if isinstance(tree, Leaf) else leaves(tree.yes) + leaves(tree.no)
 
 
+def tests(tree: Tree) -> list[Query]:
+    """The tests of all nodes."""
+    return [] if isinstance(tree, Leaf) else [*tree.tests, *tests(tree.yes), *tests(tree.no)]
+
+
 def from_rules(ordered: Sequence[Rule], tests_of: TestsOf, query: Query = ()) -> Tree:
     """The tree of an ordered list of rules whose last one holds wherever `query` does.
 

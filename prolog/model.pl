@@ -7,7 +7,7 @@
 
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, foldl/5, maplist/2, maplist/3]).
-:- use_module(library(lists), [append/3, member/2, nth0/3, nth1/3, same_length/2, subtract/3]).
+:- use_module(library(lists), [append/3, member/2, memberchk/2, nth0/3, nth1/3, same_length/2, subtract/3]).
 :- use_module(library(readutil), [read_file_to_string/3]).
 :- use_module(potential, [rule/3, signatures/2]).
 :- use_module(report, [explanation/2]).
@@ -152,6 +152,14 @@ goals(Body, [Goal|Goals]) :-
     goals(Rest, Goals).
 goals(Goal, [Goal]).
 
+term_text(Term, Text) :-
+    nonvar(Term),
+    Term =.. [Name, Left, Right],
+    memberchk(Name, [=<, >=]),
+    !,
+    term_text(Left, LeftText),
+    term_text(Right, RightText),
+    format(atom(Text), '~w ~w ~w', [LeftText, Name, RightText]).
 term_text(Term, Text) :-
     format(atom(Text), '~W', [Term, [quoted(true), numbervars(true), spacing(next_argument)]]).
 

@@ -24,6 +24,9 @@ one clause per word, in a module that sees the domain. A kind of action has its 
 same arguments of the action form a group: a group is asked once for all actions of a state that agree in those
 arguments, so tests about the goal's objects alone are asked once in a state.
 
+The value of a *measure*, a test with a bound, is not a bit but the least number for which its other literals hold, of
+`X >= c` the least of -X, or infinity: it decides the test for every threshold. It takes a word of its own.
+
 A *pack* (Blockeel et al. 2002) is the set of a node's tests that extend one part of its query: that prefix
 runs once, and a test that has succeeded is not tried again.
 */
@@ -48,7 +51,7 @@ new_table(Module, Kinds, Goal, Table) :-
     atom_concat('nppg_table#', Count, Table),
     set_module(Table:class(system)),
     add_import_module(Table, Module, start),
-    dynamic(Table:('$row'/3)),
+    dynamic([Table:('$row'/3), Table:('$solution'/3)]),
     assertz(layout(Table, Module, Kinds, Goal)),
     set_roots(Table, Kinds, Goal).
 
@@ -73,7 +76,8 @@ drop_table(Table) :-
     retractall(roots(Table, _, _, _, _)),
     retractall(words(Table, _, _)),
     drop_examples(Table),
-    retractall(Table:'$row'(_, _, _)).
+    retractall(Table:'$row'(_, _, _)),
+    retractall(Table:'$solution'(_, _, _)).
 
 root_count(Table, Count) :-
     layout(Table, _, Kinds, Goal),
@@ -90,7 +94,7 @@ add_arity([_, Arity], Sum0, Sum) :-
 %
 %   Compiles the tests of a group, which replace those it had. Group is [Number, Positions]: the positions of
 %   the root variables that it is about. Words is a list of lists of at most 60 tests, a test a list of
-%   literals as data. Groups are numbered from 0, and new ones come behind the others. Where a group is about all
+%   literals as data, or of measures [measure, Test], the bound first in Test. Groups are numbered from 0, and new ones come behind the others. Where a group is about all
 %   arguments of the action, no other action has its answers: its words have `all` in place of the positions.
 
 set_tests(Table, Kind, [Number, Positions], Words) :-
@@ -116,12 +120,51 @@ set_tests(Table, Kind, [Number, Positions], Words) :-
 
 of_group(Arguments, word(_, Arguments)).
 
-set_word(Table, Count, Tests, Key, Next) :-
+set_word(Table, Count, Word, Key, Next) :-
     functor(Roots, roots, Count),
-    foldl(test_bit(Roots), Tests, bits(1, 0, true), bits(_, Bits, Body)),
     retractall(Table:'$row'(Key, _, _)),
-    compiled(Table, ('$row'(Key, Roots, Bits) :- Body)),
+    word(Word, Table, Roots, Key),
     Next is Key+1.
+
+word([measure, Test], Table, Roots, Key) :-
+    !,
+    retractall(Table:'$solution'(Key, _, _)),
+    measure(Table, Roots, Test, Key, Value, Goal),
+    compiled(Table, ('$row'(Key, Roots, Value) :- Goal)).
+word(Tests, Table, Roots, Key) :-
+    foldl(test_bit(Roots), Tests, bits(1, 0, true), bits(_, Bits, Body)),
+    compiled(Table, ('$row'(Key, Roots, Bits) :- Body)).
+
+%   Compiles the solutions of a measure under a key of their own; Goal gives its Value.
+
+measure(Table, Roots, Test, Key, Value, Goal) :-
+    query_variables(Roots, [Test], Variables),
+    literals(Test, Variables, [Bound|Literals]),
+    conjunction(Literals, Body),
+    Bound =.. [Name, Number, _],
+    compiled(Table, ('$solution'(Key, Roots, Number) :- Body)),
+    Goal = ( findall(Found, '$solution'(Key, Roots, Found), Numbers),
+             nppg_query_pack:least(Numbers, Name, Value) ).
+
+%!  least(+Numbers, +Name, -Least) is det.
+%
+%   The least number, or the least of the negated numbers for the bound >=, as a float; infinity if there is none.
+
+least([], _, Least) :-
+    Least is inf.
+least([Number|Numbers], Name, Least) :-
+    negated(Name, Number, First),
+    foldl(lesser(Name), Numbers, First, Least0),
+    Least is float(Least0).
+
+lesser(Name, Number, Least0, Least) :-
+    negated(Name, Number, Value),
+    Least is min(Least0, Value).
+
+negated(=<, Number, Value) :-
+    Value is Number.
+negated(>=, Number, Value) :-
+    Value is -Number.
 
 compiled(Table, Clause) :-
     current_prolog_flag(optimise, Old),
@@ -281,7 +324,7 @@ answered(Table, Goal, Roots) :-
 blame(Module, Table:Goal, Roots) :-
     clause(Table:Goal, Body),
     arg(2, Goal, Roots),
-    forall(step(Body, Test), tried(Module, Table, Test)).
+    forall(step(Body, Table, Test), tried(Module, Table, Test)).
 
 tried(Module, Table, Test) :-
     last_literal(Test, Literal),
@@ -292,12 +335,14 @@ tried(Module, Table, Test) :-
     ;   true
     ).
 
-step((Left, Right), Test) :-
+step((Left, Right), Table, Test) :-
     !,
-    (   step(Left, Test)
-    ;   step(Right, Test)
+    (   step(Left, Table, Test)
+    ;   step(Right, Table, Test)
     ).
-step(( Test -> _ ; _ ), Test).
+step(( Test -> _ ; _ ), _, Test).
+step(findall(Number, Solution, _), Table, (Test, Number =< inf)) :-
+    clause(Table:Solution, Test).
 
 last_literal((_, Rest), Literal) :-
     !,
@@ -333,19 +378,27 @@ load_example(Table, [State, Action], Number, Next) :-
 
 %!  coverage(+Table, +Packs, +Examples, -Words) is det.
 %
-%   Each pack is a list [Prefix, Tests] of literals as data, with at most 60 tests. Words has one word for
-%   each example and pack, example by example.
+%   Each pack is a list [Prefix, Tests] of literals as data, with at most 60 tests, or a measure. Words has one word
+%   for each example and pack, example by example.
 
 coverage(Table, Packs, Examples, Words) :-
     layout(Table, Module, _, _),
     setup_call_cleanup(
         foldl(compile_pack(Table), Packs, 0, Count),
         phrase(example_words(Examples, Table, Module, Count, -1), Words),
-        retractall(Table:'$pack'(_, _, _))).
+        ( retractall(Table:'$pack'(_, _, _)), retractall(Table:'$solution'(pack(_), _, _)) )).
 
-compile_pack(Table, [Prefix, Tests], Number, Next) :-
+compile_pack(Table, Pack, Number, Next) :-
     root_count(Table, Count),
     functor(Roots, roots, Count),
+    pack(Pack, Table, Roots, Number),
+    Next is Number+1.
+
+pack([measure, Test], Table, Roots, Number) :-
+    !,
+    measure(Table, Roots, Test, pack(Number), Value, Goal),
+    compiled(Table, ('$pack'(Number, Roots, Value) :- Goal)).
+pack([Prefix, Tests], Table, Roots, Number) :-
     query_variables(Roots, [Prefix], Shared),
     literals(Prefix, Shared, PrefixLiterals),
     conjunction(PrefixLiterals, PrefixGoal),
@@ -362,8 +415,7 @@ compile_pack(Table, [Prefix, Tests], Number, Next) :-
                           ->  true
                           ;   true
                           ),
-                          arg(1, Answers, Answer) )),
-    Next is Number+1.
+                          arg(1, Answers, Answer) )).
 
 pack_bit(Shared, Test, bits(Bit, Bits0, Body), bits(NextBit, Bits, Extended)) :-
     NextBit is Bit*2,

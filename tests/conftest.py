@@ -8,12 +8,13 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from nppg.coverage import TestTable, root_table
+from nppg.coverage import root_table
 from nppg.domain import Domain
 from nppg.language_bias import LanguageBias
 from nppg.refinement import Refiner
 from nppg.shipped import shipped
 from nppg.space import Space
+from nppg.table import TestTable
 
 settings.register_profile(
     "laws",

@@ -20,8 +20,7 @@ PARTS = {
     "start": "start([at(Size)]) :- parameter(size, Size), Size > 0.\n",
     "action": "action(left).\naction(right).\n",
     "effect": (
-        "effect(left, [at(X)], [at(Y)]) :- at(X), Y is X - 1.\n"
-        "effect(right, [at(X)], [at(Y)]) :- at(X), Y is X + 1.\n"
+        "effect(left, [at(X)], [at(Y)]) :- at(X), Y is X - 1.\neffect(right, [at(X)], [at(Y)]) :- at(X), Y is X + 1.\n"
     ),
     "goal": "goal :- home.    home :- at(0).\n",
     "more": "",

@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 from samples import pairs, random_query, relations, root_values, truth, visited
 
-from nppg.coverage import WORD, Coverage, TestTable, root_table
+from nppg.coverage import Coverage, root_table
 from nppg.domain import Action, Domain, State
 from nppg.errors import NppgError
 from nppg.language_bias import LanguageBias
 from nppg.logic import Literal, Query, Var
 from nppg.refinement import KIND, Refinement, Refiner
+from nppg.table import WORD, TestTable
 
 
 def asked_one_by_one(domain: Domain, bias: LanguageBias, query: Query, state: State, action: Action) -> bool:
@@ -77,7 +78,7 @@ def test_tests_keep_their_columns_when_others_are_added(relational_bias: Languag
         table.add(tests[: i + 7])
         assert table.tests == tests[: i + 7]
         assert (table.answers(state, actions) == truth(table.tests, relational_bias, state, actions)).all()
-    assert [table.column(test) for test in tests] == list(range(len(tests)))
+    assert [table.place(test)[0] for test in tests] == list(range(len(tests)))
 
 
 def check_path(coverage: Coverage, bias: LanguageBias, refiner: Refiner, random: Random, depth: int) -> int:

@@ -74,7 +74,7 @@ def test_a_leaf_splits_on_what_it_holds(plain_bias) -> None:
             answers, _ = coverage.matrix(candidates, np.arange(len(kept)), {})
             values = np.array([each[1] for each in kept])
             best = best_split(answers, values, TreeLimits(min_examples=1, significance=0.001))
-            assert best is not None and tree.tree.queries[1] == candidates[best].literals
+            assert best is not None and tree.tree.queries[1] == candidates[best.candidate].literals
     assert len(tree.tree) == 2
 
 

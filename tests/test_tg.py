@@ -76,9 +76,9 @@ class PlainTG:
             limits = TreeLimits(min_examples=1, significance=self.options.significance)
             best = best_split(answers, np.array([each.value for each in members]), limits)
             if best is not None:
-                chosen = self.refiner.refinements(self.queries[leaf])[best]
-                passed = [each for each, holds in zip(members, answers[:, best], strict=True) if holds]
-                failed = [each for each, holds in zip(members, answers[:, best], strict=True) if not holds]
+                chosen = self.refiner.refinements(self.queries[leaf])[best.candidate]
+                passed = [each for each, holds in zip(members, best.covered(answers), strict=True) if holds]
+                failed = [each for each, holds in zip(members, best.covered(answers), strict=True) if not holds]
                 self.queries.append(self.queries[leaf] + chosen.literals)
                 self.inherited[leaf], self.own[leaf] = failed, []
                 self.inherited.append(passed)

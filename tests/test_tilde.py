@@ -178,7 +178,7 @@ def test_equal_candidates_the_first_wins() -> None:
     values = np.array([0.0, 0.0, 1.0, 1.0])
     good = values > 0
     answers = np.array([values > 2, ~good, good, good]).T
-    assert best_split(answers, values, UNBOUNDED) == 1
+    assert best_split(answers, values, UNBOUNDED) == (1, 0.5)
     assert best_split(answers[:, :1], values, UNBOUNDED) is None
 
 
@@ -223,4 +223,7 @@ def test_a_split_must_pass_the_f_test() -> None:
     two = np.array([[True], [False]])
     assert best_split(two, np.array([0.0, 1.0]), TreeLimits(4, 1, 0.0, 0.05)) is None  # no degree of freedom is left
     four = np.array([[True], [True], [False], [False]])
-    assert best_split(four, np.array([1.0, 1.0, 0.0, 0.0]), TreeLimits(4, 1, 0.0, 0.001)) == 0  # nothing is left over
+    assert best_split(four, np.array([1.0, 1.0, 0.0, 0.0]), TreeLimits(4, 1, 0.0, 0.001)) == (
+        0,
+        0.5,
+    )  # nothing is left over

@@ -173,7 +173,7 @@ def test_the_examples_of_an_episode(four_blocks: Domain, plain_bias, update, unr
             assert not expected
             continue
         assert found.states == [each[0] for each in expected] and found.actions == [each[1] for each in expected]
-        assert found.gradients.tolist() == pytest.approx([each[2] for each in expected], abs=1e-12)
+        assert found.targets.tolist() == pytest.approx([each[2] for each in expected], abs=1e-12)
         assert found.answers.tolist() == [each[3] for each in expected]
     assert {0.0, 1.0} <= {value for _, value in kinds} and (discount != 0.5 or (True, 0.5) in kinds)
 

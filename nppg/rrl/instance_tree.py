@@ -12,7 +12,7 @@ from statistics import fmean
 
 import numpy as np
 
-from nppg.coverage import Coverage, TestTable
+from nppg.coverage import Coverage
 from nppg.domain import Action, State
 from nppg.errors import NppgError, Problem
 from nppg.language_bias import TreeLimits
@@ -23,6 +23,7 @@ from nppg.rrl.instances import Instances
 from nppg.rrl.numbered_tree import NumberedTree
 from nppg.rrl.options import InstanceOptions, RIBOptions, TrendiOptions
 from nppg.rrl.qfunction import Example, QFunction
+from nppg.table import Table
 from nppg.tilde import best_split
 from nppg.tree import Tree
 
@@ -61,7 +62,7 @@ class InstanceTree:
 
     def __init__(
         self,
-        table: TestTable,
+        table: Table,
         refiner: Refiner,
         distance: PairDistance,
         options: InstanceOptions,
@@ -118,9 +119,9 @@ class InstanceTree:
         best = best_split(answers, np.array([value for _, value, *_ in held]), limits)
         if best is None:
             return
-        self.tree.split(number, candidates[best])
+        self.tree.split(number, candidates[best.candidate])
         failed, passed = _Held(self.distance, self.options), _Held(self.distance, self.options)
-        for each, holds in zip(held, answers[:, best], strict=True):
+        for each, holds in zip(held, best.covered(answers), strict=True):
             (passed if holds else failed).store(*each)
         self.leaves[number] = failed
         self.leaves.append(passed)

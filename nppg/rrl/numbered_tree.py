@@ -7,17 +7,17 @@ from itertools import count
 
 import numpy as np
 
-from nppg.coverage import TestTable
 from nppg.forest import Forest
 from nppg.logic import Query
 from nppg.refinement import Refinement, Refiner
+from nppg.table import Table
 from nppg.tree import Leaf, Node, Tree, mapped, rules
 
 
 class NumberedTree:
     """`queries` and `depths` have an entry for each leaf: its associated query, and how many tests lead to it."""
 
-    def __init__(self, table: TestTable, refiner: Refiner, tree: Tree | None = None):
+    def __init__(self, table: Table, refiner: Refiner, tree: Tree | None = None):
         tree = tree or Leaf(0.0)
         self.table = table
         self.refiner = refiner
@@ -56,7 +56,7 @@ class NumberedTree:
     def _grow(self, tree: Tree) -> None:
         self._tree = tree
         self._forest = Forest()
-        self._forest.add(tree, self.table.column)
+        self._forest.add(tree, self.table.place)
 
     def with_values(self, value_of: Callable[[int], float]) -> Tree:
         """The tree with a value in each leaf."""

@@ -7,11 +7,11 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from nppg.coverage import TestTable
 from nppg.domain import Action, State
 from nppg.gradient import gibbs
 from nppg.policy import Policy, is_best
 from nppg.rrl.options import QOptions
+from nppg.table import Table
 
 
 class Example(NamedTuple):
@@ -26,7 +26,7 @@ class Example(NamedTuple):
 class Regressor(Protocol):
     """Learns Q(s, a) from a stream of examples."""
 
-    table: TestTable
+    table: Table
 
     @property
     def width(self) -> int:

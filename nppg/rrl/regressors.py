@@ -6,7 +6,9 @@ from weakref import WeakKeyDictionary
 
 from nppg.coverage import root_table
 from nppg.domain import Domain
+from nppg.errors import NppgError, Problem
 from nppg.language_bias import LanguageBias
+from nppg.logic import OPEN
 from nppg.refinement import Refiner
 from nppg.rrl.distance import PairDistance
 from nppg.rrl.instance_tree import InstanceTree
@@ -18,7 +20,11 @@ _distances: WeakKeyDictionary[Domain, dict[tuple, PairDistance]] = WeakKeyDictio
 
 
 def regressor(domain: Domain, bias: LanguageBias, options: QOptions) -> Regressor:
-    """A new one that has learned nothing."""
+    """A new one that has learned nothing. Raises NppgError for a bias with thresholds, which these cannot learn."""
+    for mode in bias.modes:
+        if mode.name in OPEN:
+            message = f"the learner {options.learner} has no thresholds, nppg has"
+            raise NppgError([Problem(bias.file, mode.line, mode.column, message)])
     refiner = Refiner(bias)
     table = root_table(domain, bias, refiner)
     if isinstance(options, InstanceOptions):

@@ -6,13 +6,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from nppg.coverage import Coverage, TestTable
+from nppg.coverage import Coverage
 from nppg.domain import Action, State
 from nppg.policy import Policy
 from nppg.refinement import Refiner
 from nppg.rrl.numbered_tree import NumberedTree
 from nppg.rrl.options import GrowthOptions
 from nppg.rrl.qfunction import Example
+from nppg.table import Table
 from nppg.tilde import best_gain, is_significant
 
 
@@ -53,7 +54,7 @@ class Statistics:
 class TG:
     """The regressor."""
 
-    def __init__(self, table: TestTable, refiner: Refiner, options: GrowthOptions):
+    def __init__(self, table: Table, refiner: Refiner, options: GrowthOptions):
         self.table = table
         self.tree = NumberedTree(table, refiner)
         self.options = options

@@ -1,0 +1,128 @@
+"""Answers read off the facts are those of Prolog."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from nppg.coverage import Coverage, root_table
+from nppg.domain import Domain, State
+from nppg.errors import NppgError
+from nppg.facts import FactTable
+from nppg.language_bias import LanguageBias
+from nppg.refinement import Refiner
+from nppg.table import Table, TestTable
+
+DOMAIN = """
+:- module(meadow, []).
+:- fluent at/1, flower/3, wet/0, near/2.
+start([at(1)]).
+action(go(1)).  action(go(2.5)).  action(go(a)).  action(pick(a, b)).  action(rest).
+effect(_, [], []).
+goal :- fail.
+far(X) :- at(X), X > 3.
+"""
+BIAS = """
+action: ["go(+place)", "pick(+thing, +thing)", rest]
+types: {at: [place], flower: [thing, colour, size], wet: [], near: [thing, thing], far: [place]}
+modes:
+  - wet
+  - at(+place)
+  - flower(+thing, [red, blue], -size)
+  - {literal: "flower(a, -colour, -size)", lookahead: 1}
+  - {literal: "flower(+thing, red, -size)", lookahead: 1}
+  - near(+thing, b)
+  - equal(+thing, +thing)
+  - equal(+place, [1, 1.0, a])
+BOUNDS
+lookahead: 1
+"""
+BOUNDS = '  - "+size =< #"'
+numbers = st.integers(-3, 3) | st.floats(-3, 3, width=32)
+things, colours = st.sampled_from(["a", "b"]), st.sampled_from(["red", "blue"])
+facts = (
+    st.tuples(st.just("at"), numbers | things)
+    | st.tuples(st.just("flower"), things, colours, numbers)
+    | st.tuples(st.just("near"), things, things)
+    | st.just("wet")
+)
+ACTIONS = [("go", 1), ("go", 2.5), ("go", "a"), ("pick", "a", "b"), ("pick", "b", "b"), "rest"]
+
+
+@pytest.fixture(scope="module")
+def meadow(tmp_path_factory: pytest.TempPathFactory) -> Domain:
+    path = tmp_path_factory.mktemp("meadow") / "meadow.pl"
+    path.write_text(DOMAIN)
+    return Domain(path)
+
+
+@pytest.fixture(scope="module", params=[BOUNDS, BOUNDS.replace("=<", ">="), ""], ids=["=<", ">=", "truths"])
+def tables(request: pytest.FixtureRequest, meadow: Domain, tmp_path_factory: pytest.TempPathFactory) -> list[Table]:
+    path = tmp_path_factory.mktemp("bias") / "bias.yaml"
+    path.write_text(BIAS.replace("BOUNDS", request.param))
+    bias = LanguageBias.load(path)
+    table = root_table(meadow, bias, Refiner(bias))
+    asked = TestTable(meadow, bias)
+    asked.add(table.tests)
+    return [table, asked]
+
+
+@given(st.lists(facts, max_size=8), st.lists(st.sampled_from(ACTIONS), min_size=1, max_size=4))
+def test_the_answers_are_those_of_prolog(tables: list[Table], state: list, actions: list) -> None:
+    read, asked = tables
+    assert isinstance(read, FactTable) and len(read) > 10
+    given_state: State = tuple(dict.fromkeys(state))
+    expected = asked.answers(given_state, actions)
+    found = read.answers(given_state, actions)
+    assert found.dtype == expected.dtype
+    np.testing.assert_array_equal(found, expected)
+
+
+@pytest.mark.parametrize(
+    "mode",
+    ["far(+place)", "near(-thing, -thing)", "near(-thing, b)", '"+size >= #"', "flower(b, red, +size)"],
+    ids=["no fluent", "two things", "a thing that others ask about", "two bounds", "a size that is asked about"],
+)
+def test_what_only_prolog_can_answer_is_left_to_it(meadow: Domain, bias_of: Callable, mode: str) -> None:
+    bias = bias_of(BIAS.replace("BOUNDS", f"{BOUNDS}\n  - {mode}"))
+    assert isinstance(root_table(meadow, bias, Refiner(bias)), TestTable)
+
+
+def test_a_goal_is_left_to_prolog(blocks: Domain, plain_bias: LanguageBias) -> None:
+    assert isinstance(root_table(blocks, plain_bias, Refiner(plain_bias)), TestTable)
+
+
+def test_a_bound_below_a_test_without_lookahead(meadow: Domain, bias_of: Callable) -> None:
+    """What no root test asks is asked at the node, with the same answers."""
+    text = BIAS.replace("BOUNDS", BOUNDS).replace(", lookahead: 1}", "}")
+    bias = bias_of(text)
+    refiner = Refiner(bias)
+    read = root_table(meadow, bias, refiner)
+    assert isinstance(read, FactTable) and read.numeric and not read.bounds
+    asked = TestTable(meadow, bias)
+    asked.add(read.tests)
+    states: list[State] = [(("flower", "a", "red", x),) for x in (1, 2.5, -3)] + [()]
+    actions: list = [("pick", "a", "b")] * 4
+    query = next(each.literals for each in refiner.refinements(()) if each.literals[0].name == "flower")
+    candidates = refiner.refinements(query)
+    assert any(each.is_open for each in candidates)
+    found, expected = (
+        Coverage(table, states, actions).matrix(candidates, np.arange(4), {})[0] for table in (read, asked)
+    )
+    np.testing.assert_array_equal(found, expected)
+    assert set(found[:, [each.is_open for each in candidates]].ravel()) == {1, 2.5, -3, np.inf}
+
+
+def test_what_is_no_number_is_reported(tmp_path: Path, bias_of: Callable) -> None:
+    path = tmp_path / "odd.pl"
+    path.write_text(DOMAIN.replace("start([at(1)])", "start([flower(a, red, big)])"))
+    bias = bias_of(BIAS.replace("BOUNDS", BOUNDS))
+    domain = Domain(path)
+    table = root_table(domain, bias, Refiner(bias))
+    with pytest.raises(NppgError, match=r"odd\.pl.*compares big with a threshold, which is no number"):
+        table.answers(domain.start(np.random.default_rng(0)), ["rest"])
