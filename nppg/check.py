@@ -16,13 +16,16 @@ _STARTS = 10
 _STEPS = 5
 
 
-def check(load_domain: Callable[[], Domain], load_bias: Callable[[], LanguageBias]) -> tuple[list[Problem], str]:
-    """The problems of both files and of their fit, and a summary for where there are none.
+def check(
+    load_domain: Callable[[], Domain], load_bias: Callable[[Domain | None], LanguageBias | None]
+) -> tuple[list[Problem], str]:
+    """The problems of both files and of their fit, and a summary for where there are none. `load_bias` is given the
+    domain, where that could be loaded.
 
     Where the files are sound, all predicates are tried in some random episodes, and all tests of the bias.
     """
     domain, problems = _loaded(load_domain)
-    bias, more = _loaded(load_bias)
+    bias, more = _loaded(lambda: load_bias(domain))
     problems += more
     if domain and bias and not problems:
         problems = bias.check(domain.predicates, domain.actions)
@@ -52,7 +55,8 @@ def _tried(domain: Domain, bias: LanguageBias) -> Iterator[Problem]:
                 domain.expert_actions(state)
                 domain.picture(state)
                 domain.parts(state)
-                domain.neighbours(state)
+                if not domain.environment:
+                    domain.neighbours(state)
                 table.answers(state, situation.actions)
                 _, state = domain.act(state, situation.actions[int(rng.random() * len(situation.actions))], rng)
     except NppgError as error:

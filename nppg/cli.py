@@ -8,7 +8,8 @@ import signal
 import sys
 import time
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import Field, asdict, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -21,7 +22,7 @@ from nppg.experiments import EXPERIMENTS
 from nppg.language_bias import LanguageBias, TreeLimits
 from nppg.learners import LEARNERS
 from nppg.options import Common, Options, at_least
-from nppg.shipped import bias_for, locate, shipped
+from nppg.shipped import locate, shipped
 
 if TYPE_CHECKING:
     from nppg.domain import Domain
@@ -75,8 +76,8 @@ def _parser() -> argparse.ArgumentParser:
     check = command("check", _check, "report every mistake in a domain and its language bias")
     train = command("train", _train, "learn a policy")
     for each in (check, train):
-        each.add_argument("domain", help="a shipped domain's name, or a file")
-        each.add_argument("--bias", help="language bias (default: the file of the domain's name)")
+        each.add_argument("domain", help="a shipped domain's name, a file, or gym:ID for an environment of Gymnasium")
+        each.add_argument("--bias", help="language bias (default: the file of the domain's name, or a generated one)")
     evaluate = command("evaluate", _evaluate, "measure a policy's success")
     show = command("show", _show, "print a policy's trees")
     play = command("play", _play, "draw one episode step by step")
@@ -219,16 +220,33 @@ def _value(text: str) -> int | float | str:
 
 
 def _domain(options: argparse.Namespace) -> Domain:
-    from nppg.domain import Domain
+    from nppg.opening import open_domain
 
-    return Domain(options.domain, _parameters(options.set))
+    with _warnings_told():
+        return open_domain(options.domain, _parameters(options.set))
 
 
-def _bias_path(options: argparse.Namespace) -> Path:
-    """The file given by --bias, or that of the domain's name."""
+@contextmanager
+def _warnings_told(tell: bool = True) -> Iterator[None]:
+    """Prints each warning on a line of its own."""
+    with warnings.catch_warnings(record=True) as noted:
+        warnings.simplefilter("always")
+        yield
+    for each in noted if tell else ():
+        print(f"warning: {each.message}", file=sys.stderr)
+
+
+def _bias(options: argparse.Namespace, domain: Domain | None) -> LanguageBias | None:
+    """The file given by --bias, or what goes with the domain, if that could be loaded or at least be found."""
+    from nppg.opening import bias_path, is_environment, language_bias_of
+
     if options.bias:
-        return locate(options.bias, "language_bias", ".yaml")
-    return bias_for(options.domain, _parameters(options.set), "--bias ")
+        return LanguageBias.load(locate(options.bias, "language_bias", ".yaml"))
+    if domain:
+        return language_bias_of(domain)
+    if is_environment(options.domain):
+        return None
+    return LanguageBias.load(bias_path(locate(options.domain, "domains", ".pl"), _parameters(options.set)))
 
 
 def _doctor() -> int:
@@ -242,7 +260,7 @@ def _doctor() -> int:
 def _check(options: argparse.Namespace) -> int:
     from nppg.check import check
 
-    problems, summary = check(lambda: _domain(options), lambda: LanguageBias.load(_bias_path(options)))
+    problems, summary = check(lambda: _domain(options), lambda domain: _bias(options, domain))
     if problems:
         raise NppgError(problems)
     print(summary)
@@ -257,7 +275,9 @@ def _train(options: argparse.Namespace) -> int:
     chosen = kind(**{field.name: given.pop(field.name) for field in fields(kind) if field.name in given})
     at_least("evaluate-every", options.evaluate_every, 0)
     at_least("starts", options.starts, 1)
-    domain, bias = _domain(options), LanguageBias.load(_bias_path(options))
+    domain = _domain(options)
+    bias = _bias(options, domain)
+    assert bias
     limits = {field.name: _RENAMED.get(field.name, field.name) for field in fields(TreeLimits)}
     bias = replace(bias, tree=replace(bias.tree, **{name: given[own] for name, own in limits.items() if own in given}))
     output = options.output or Path("runs") / domain.name
@@ -325,13 +345,8 @@ def _reproduce(options: argparse.Namespace) -> int:
 def _load(options: argparse.Namespace) -> Policy:
     from nppg.policy import Policy
 
-    with warnings.catch_warnings(record=True) as noted:
-        warnings.simplefilter("always")
-        policy = Policy.load(options.model, _parameters(getattr(options, "set", [])))
-    if options.command != "prove":  # which refuses instead
-        for each in noted:
-            print(f"warning: {each.message}", file=sys.stderr)
-    return policy
+    with _warnings_told(options.command != "prove"):  # which refuses instead
+        return Policy.load(options.model, _parameters(getattr(options, "set", [])))
 
 
 def _evaluate(options: argparse.Namespace) -> int:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -41,6 +41,21 @@ def texts(terms: Sequence[Ground]) -> list[str]:
     return ask("texts", list(terms))
 
 
+class World(Protocol):
+    """What an episode needs of a domain, as Domain documents it: nppg.gym_domain has it from an environment of
+    Gymnasium in place of a domain file's predicates."""
+
+    def start(self, rng: np.random.Generator) -> State: ...
+
+    def situation(self, state: State) -> Situation: ...
+
+    def horizon(self, state: State) -> int: ...
+
+    def expert_actions(self, state: State) -> list[Action]: ...
+
+    def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]: ...
+
+
 class Domain:
     """An instance of a domain file with its parameters; it has its own module in Prolog until it is dropped.
 
@@ -50,12 +65,12 @@ class Domain:
 
     def __init__(self, name_or_path: str | Path, parameters: Mapping[str, int | float | str] | None = None):
         self.path = locate(name_or_path, "domains", ".pl")
-        given = [[key, value] for key, value in (parameters or {}).items()]
+        self.given = dict(parameters or {})
         try:
             self.source = self.path.read_bytes()
         except OSError as error:
             raise NppgError([Problem(str(self.path), 0, 0, f"cannot be read: {error.strerror}")]) from None
-        self.module, entries = ask("load", str(self.path.resolve()), given)
+        self.module, entries = ask("load", str(self.path.resolve()), [list(each) for each in self.given.items()])
         drop_with(self, "unload", self.module)
         description = dict(entries)
         self.name: str = description["name"]
@@ -68,6 +83,7 @@ class Domain:
         self.has_expert: bool = description["expert"] == "true"
         self.has_goal: bool = description["goal"] == "true"
         self.has_parts: bool = description["parts"] == "true"
+        self.environment: str = description["environment"]  # of Gymnasium, which nppg.open_domain opens; or empty
         self._current: State | None = None
         self._situation: list | None = None  # that of the current state, where it is known
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nppg.domain import Action, State
+from nppg.domain import Action, State, World
 from nppg.errors import NppgError, Problem
 from nppg.options import Common
 from nppg.policy import Policy, choose
@@ -55,7 +55,7 @@ def generate_episode(
     With probability `guidance` the whole episode is a trace of the domain's expert. Raises NppgError where the
     domain's code is at fault.
     """
-    domain = policy.domain
+    domain: World = policy.domain
     guided = guidance > 0 and bool(rng.random() < guidance)
     state = domain.start(rng)
     limit = math.ceil(horizon_factor * domain.horizon(state))

@@ -19,8 +19,9 @@ from nppg.dot import literal_text
 from nppg.errors import NppgError, Problem
 from nppg.gym_env import DomainEnv, spaces
 from nppg.language_bias import LanguageBias
+from nppg.opening import language_bias_of
 from nppg.refinement import Refiner
-from nppg.shipped import bias_for, locate
+from nppg.shipped import locate
 
 _STARTS = 10
 _SEARCHED = 5000  # actions taken while searching, about half a second
@@ -29,10 +30,11 @@ _SEARCHED = 5000  # actions taken while searching, about half a second
 class BoundedEnv(DomainEnv):
     """A domain with `slots` actions, of which `info["action_mask"]` and action_masks() tell the legal ones.
 
-    Observation: float32, 1 or 0, of shape (slots, tests): for each legal action the answers to what `tests` lists, 0 in
-    all other rows. `bias` is a language bias or its file, by default that of the domain's name. `slots` is by default
-    what most_actions() finds; NppgError is raised where a state turns out to have more legal actions. Everything else
-    is as in DomainEnv, but for the texts, which are left out.
+    Observation: float32 of shape (slots, tests), for each legal action the answers to what `tests` lists: 1 or 0; where
+    the language bias has thresholds, the number X that "X =< #" is about, -X for "X >= #", the least if there are many
+    and 0 if there are none. All other rows are 0. `bias` is a language bias or its file, by default that of the
+    domain's name. `slots` is by default what most_actions() finds; NppgError is raised where a state turns out to have
+    more legal actions. Everything else is as in DomainEnv, but for the texts, which are left out.
     """
 
     def __init__(
@@ -47,14 +49,17 @@ class BoundedEnv(DomainEnv):
         super().__init__(domain, parameters, horizon_factor, render_mode)
         if slots is not None and slots < 1:
             raise NppgError(f"slots must be at least 1, not {slots}")
-        if not isinstance(bias, LanguageBias):
-            path = locate(bias, "language_bias", ".yaml") if bias else bias_for(domain, parameters or {}, "bias=")
-            bias = LanguageBias.load(path)
+        if bias is None:
+            bias = language_bias_of(self.domain)
+        elif not isinstance(bias, LanguageBias):
+            bias = LanguageBias.load(locate(bias, "language_bias", ".yaml"))
         self._table = root_table(self.domain, bias, Refiner(bias))
         if not len(self._table):
             raise NppgError([Problem(str(bias.file), 0, 0, "has no test that can be asked of an action by itself")])
         self.slots = most_actions(self.domain) if slots is None else slots
-        self.observation_space = spaces.Box(0, 1, (self.slots, len(self._table)), np.float32)
+        highest = np.ones((self.slots, len(self._table)), np.float32)
+        highest[:, self._table.bounds] = np.finfo(np.float32).max
+        self.observation_space = spaces.Box(np.where(highest == 1, 0, -highest), highest, dtype=np.float32)
         self.action_space = spaces.Discrete(self.slots)
 
     @property
@@ -73,13 +78,25 @@ class BoundedEnv(DomainEnv):
             raise NppgError([Problem(str(self.domain.path), 0, 0, message)])
         rows = np.zeros(self.observation_space.shape, np.float32)
         if self.actions:
-            rows[: len(self.actions)] = self._table.answers(self.state, self.actions)
+            rows[: len(self.actions)] = self._rows()
         return rows, {**self._info(), "action_mask": self.action_masks().astype(np.int8)}
+
+    def _rows(self) -> np.ndarray:
+        """The table's answers, with 1 for what holds; float64 numbers stay within float32's range."""
+        answers = self._table.answers(self.state, self.actions)
+        if not self._table.numeric:
+            return answers
+        bounds = self._table.bounds
+        numbers = 1 - answers
+        numbers[:, bounds] = np.where(np.isinf(answers[:, bounds]), 0, answers[:, bounds])
+        return np.clip(numbers, self.observation_space.low[0], self.observation_space.high[0])
 
 
 def most_actions(domain: Domain) -> int:
     """The largest number of legal actions in a state that a best-first search from random starts finds, which follows
     states with many actions first. The same in every run; a large domain may have states with more."""
+    if domain.environment:
+        return len(Domain.situation(domain, ()).actions)  # what its file gives in every state, masked ones included
     rng = np.random.default_rng(0)
     counts: dict[State, int] = {}
     queue: list[tuple[int, int, State, list[Action]]] = []

@@ -14,9 +14,10 @@ from typing import Any
 
 import numpy as np
 
-from nppg.domain import Action, Domain, State, texts
+from nppg.domain import Action, State, texts
 from nppg.episode import IDLE
 from nppg.errors import NppgError, Problem
+from nppg.opening import open_domain
 from nppg.options import Options
 from nppg.shipped import shipped
 
@@ -115,7 +116,7 @@ class DomainEnv(gymnasium.Env):
             raise NppgError(f"render_mode must be 'ansi' or None, not {render_mode!r}")
         self.render_mode = render_mode
         self.horizon_factor = Options(horizon_factor=horizon_factor).horizon_factor
-        self.domain = Domain(domain, parameters)
+        self.domain = open_domain(domain, parameters)
         self.state: State = ()
         self.actions: list[Action] = []
         self._status = ""

@@ -16,14 +16,14 @@ from gymnasium.utils.env_checker import check_env
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nppg import Domain, LanguageBias, NppgError
+from nppg import Domain, NppgError, language_bias_of, open_domain
 from nppg.coverage import root_table
 from nppg.domain import texts
 from nppg.gym_bounded import BoundedEnv, most_actions
 from nppg.gym_env import Choice, DomainEnv, Facts, register
 from nppg.prolog import ground
 from nppg.refinement import Refiner
-from nppg.shipped import bias_for, shipped
+from nppg.shipped import shipped
 
 FERRY = str(Path(__file__).parent / "domains" / "ferry.pl")
 SHIPPED = sorted(path.stem for path in shipped("domains").glob("*.pl"))
@@ -208,8 +208,8 @@ def test_a_sampled_choice_is_legal() -> None:
 @pytest.mark.parametrize("name", SHIPPED)
 def test_rows_are_the_answers_of_the_legal_actions(name: str) -> None:
     env = BoundedEnv(name, slots=100)
-    bias = LanguageBias.load(bias_for(name, {}, "bias="))
-    domain = Domain(name)
+    domain = open_domain(name)
+    bias = language_bias_of(domain)
     table = root_table(domain, bias, Refiner(bias))
     observation, info = env.reset(seed=0)
     for _ in range(20):
@@ -254,7 +254,7 @@ def test_too_few_slots() -> None:
         ({"slots": 0}, "slots must be at least 1, not 0"),
         ({"render_mode": "human"}, "render_mode must be 'ansi' or None, not 'human'"),
         ({"horizon_factor": -1}, "horizon_factor must be at least 0, not -1"),
-        ({"parameters": {"task": "stack"}}, "task=stack has a language bias of its own: give bias=stack, or bias="),
+        ({"parameters": {"task": "stack"}}, "task=stack has a language bias of its own: give --bias stack, or"),
         ({"parameters": {"block": 3}}, "did you mean 'blocks'"),
         ({"bias": "stak"}, "did you mean 'stack'"),
     ],
@@ -266,7 +266,7 @@ def test_mistakes_are_told(given: dict, message: str) -> None:
 
 
 def test_a_bias_is_missing(line: Path) -> None:
-    with pytest.raises(NppgError, match=r"line\.yaml: there is no language bias of this name; give one by bias$"):
+    with pytest.raises(NppgError, match=r"line\.yaml: there is no language bias of this name; give one by --bias$"):
         BoundedEnv(line)
 
 
