@@ -24,7 +24,7 @@ from nppg.refinement import Refiner
 from nppg.shipped import locate
 
 _STARTS = 10
-_SEARCHED = 5000  # actions taken while searching, about half a second
+_SEARCHED = 5000  # actions taken while searching
 
 
 class BoundedEnv(DomainEnv):
@@ -53,6 +53,8 @@ class BoundedEnv(DomainEnv):
             bias = language_bias_of(self.domain)
         elif not isinstance(bias, LanguageBias):
             bias = LanguageBias.load(locate(bias, "language_bias", ".yaml"))
+        if problems := bias.check(self.domain.predicates, self.domain.actions):
+            raise NppgError(problems)
         self._table = root_table(self.domain, bias, Refiner(bias))
         if not len(self._table):
             raise NppgError([Problem(str(bias.file), 0, 0, "has no test that can be asked of an action by itself")])
@@ -115,4 +117,4 @@ def most_actions(domain: Domain) -> int:
         for action in actions:
             meet(domain.act(state, action, rng)[1])
         left -= len(actions)
-    return max(1, *counts.values())
+    return max([1, *counts.values()])

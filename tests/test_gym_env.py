@@ -16,11 +16,12 @@ from gymnasium.utils.env_checker import check_env
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nppg import Domain, NppgError, language_bias_of, open_domain
+from nppg import Domain, NppgError
 from nppg.coverage import root_table
 from nppg.domain import texts
 from nppg.gym_bounded import BoundedEnv, most_actions
 from nppg.gym_env import Choice, DomainEnv, Facts, register
+from nppg.opening import language_bias_of, open_domain
 from nppg.prolog import ground
 from nppg.refinement import Refiner
 from nppg.shipped import shipped
@@ -238,6 +239,51 @@ def test_the_slots_found_are_enough(blocks: int) -> None:
     assert BoundedEnv("blocks_world", {"blocks": blocks}).action_space.n == blocks * (blocks - 1)
 
 
+NUMBERS = """\
+action: [left, right]
+types: {at: [position]}
+modes: [{literal: at(-position), lookahead: 1}, '+position =< #', '+position >= #']
+lookahead: 1
+"""
+
+
+def test_numbers_that_are_compared_are_seen_themselves(line: Path) -> None:
+    line.with_suffix(".yaml").write_text(NUMBERS)
+    env = BoundedEnv(line, {"low": -9})
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        check_env(env, skip_render_check=True)
+    columns = {test: i for i, test in enumerate(env.tests)}
+    for seed in range(5):
+        observation, _ = env.reset(seed=seed)
+        ((_, position),) = env.state
+        assert position < 0
+        assert list(observation[:, columns["at(A), A =< #"]]) == [position, position]
+        assert list(observation[:, columns["at(A), A >= #"]]) == [-position, -position]
+        assert list(observation[:, columns["action is left"]]) == [1, 0]
+        assert observation in env.observation_space
+
+
+@pytest.mark.parametrize("kind", ["", "-bounded"])
+def test_an_environment_of_gymnasium_that_is_a_domain_comes_back_as_it_was(kind: str) -> None:
+    env = gymnasium.make(f"nppg/Domain{kind}-v0", domain="gym:CartPole-v1")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        check_env(env.unwrapped)
+    env.reset(seed=0)
+    (seed,) = np.random.default_rng(0).integers(2**31, size=1).tolist()
+    own = gymnasium.make("CartPole-v1")
+    own.reset(seed=seed)
+    for _ in range(5):
+        observation, reward, *_ = env.step(1)
+        values, own_reward, *_ = own.step(1)
+        assert reward == own_reward
+        if kind:
+            assert {float(np.float32(value)) for value in values} <= set(observation[1].tolist())
+        else:
+            np.testing.assert_allclose([float(fact.split()[1][:-1]) for fact in observation], values)
+
+
 def test_too_few_slots() -> None:
     env = BoundedEnv("blocks_world", {"blocks": 5}, slots=2)
     with pytest.raises(NppgError, match=r"blocks_world\.pl: a state has \d+ legal actions .* slots=2: give more"):
@@ -263,6 +309,11 @@ def test_mistakes_are_told(given: dict, message: str) -> None:
     with pytest.raises(NppgError, match=message) as caught:
         BoundedEnv("blocks_world", **given)
     assert len(caught.value.problems) == 1
+
+
+def test_the_bias_is_another_domains() -> None:
+    with pytest.raises(NppgError, match=r"blocks_world\.yaml:\d+:\d+: "):
+        BoundedEnv("delivery", bias="blocks_world")
 
 
 def test_a_bias_is_missing(line: Path) -> None:
