@@ -55,10 +55,10 @@ def _tried(domain: Domain, bias: LanguageBias) -> Iterator[Problem]:
                 domain.expert_actions(state)
                 domain.picture(state)
                 domain.parts(state)
-                if not domain.environment:
-                    domain.neighbours(state)
                 table.answers(state, situation.actions)
-                _, state = domain.act(state, situation.actions[int(rng.random() * len(situation.actions))], rng)
+                tried = situation.actions[:1] if domain.environment else situation.actions  # it cannot go back
+                following = [domain.act(state, action, rng)[1] for action in tried]
+                state = following[int(rng.random() * len(following))]
     except NppgError as error:
         yield from error.problems
 

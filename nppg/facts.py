@@ -58,7 +58,9 @@ class FactTable(Table):
     def __init__(self, domain: Domain, bias: LanguageBias):
         super().__init__(domain, bias)
         self._shapes: dict[tuple[str, int], list[Shape]] = {}  # by name and arity
-        self._readers: dict[str, list[tuple[int, Reader]]] = {"state": [], "action": [], "both": []}
+        self._of_state: dict[tuple, list[tuple[int, int | None, float]]] = {}  # by key: column, place of a number, sign
+        self._unmet: dict[int, float] = {}  # columns that hang on the state alone, with the answer where nothing holds
+        self._readers: dict[str, list[tuple[int, Reader]]] = {"action": [], "both": []}
         self._known: dict[tuple[Action, ...], np.ndarray] = {}  # answers that hang on the actions alone
 
     def _prepare(self, columns: Sequence[int]) -> None:
@@ -75,9 +77,12 @@ class FactTable(Table):
             shape = (literal.name, len(literal.args), tuple(places))
             known = self._shapes.setdefault(shape[:2], [])
             known += [] if shape in known else [shape]
-            about_action = any(isinstance(literal.args[i], Var) for i in places)
-            reader = partial(self._of_fluent, shape, literal, bound)
-            self._readers["both" if about_action else "state"].append((column, reader))
+            if any(isinstance(literal.args[i], Var) for i in places):
+                self._readers["both"].append((column, partial(self._of_fluent, shape, literal, bound)))
+                continue
+            place, sign = (literal.args.index(bound.args[0]), _sign(bound)) if bound else (None, 1.0)
+            self._of_state.setdefault(_key(shape, literal.args), []).append((column, place, sign))
+            self._unmet[column] = np.inf if bound else 1.0
 
     def _is_existential(self, term: Term) -> bool:
         return isinstance(term, Var) and term.index >= len(self.bias.roots)
@@ -85,7 +90,7 @@ class FactTable(Table):
     def _of_action(self, literal: Literal | None, bound: Literal | None, _: Facts, roots: Roots) -> float:
         if bound is not None:
             value = _value(bound.args[0], roots)
-            return np.inf if value is None else self._number(value, bound)
+            return np.inf if value is None else _sign(bound) * self._number(value)
         assert literal is not None
         if literal.name == KIND:
             return float(roots[_KIND] != literal.args[0])
@@ -93,36 +98,41 @@ class FactTable(Table):
         return float(left is None or right is None or _exact(left) != _exact(right))
 
     def _of_fluent(self, shape: Shape, literal: Literal, bound: Literal | None, facts: Facts, roots: Roots) -> float:
-        fixed = [_exact(_value(literal.args[i], roots)) for i in shape[2]]
-        found = facts.get((shape, *fixed), ())
+        found = facts.get(_key(shape, [_value(arg, roots) for arg in literal.args]), ())
         if bound is None:
             return float(not found)
         place = literal.args.index(bound.args[0])
-        return min([self._number(args[place], bound) for args in found], default=np.inf)
+        return min([_sign(bound) * self._number(args[place]) for args in found], default=np.inf)
 
-    def _number(self, value: Ground, bound: Literal) -> float:
+    def _number(self, value: Ground) -> float:
         if isinstance(value, int | float):
-            return float(value) if bound.name == "=<" else -float(value)
+            return float(value)
         message = f"the language bias compares {value} with a threshold, which is no number"
         raise NppgError([Problem(str(self.domain.path), 0, 0, message)])
 
     def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         numbers = np.empty((len(actions), len(self)))
         facts = self._by_shape(state)
-        for column, read in self._readers["state"]:
-            numbers[:, column] = read(facts, {})
+        numbers[:, list(self._unmet)] = self._about_state(facts)
         if self._readers["action"]:
             numbers[:, [column for column, _ in self._readers["action"]]] = self._of_actions(tuple(actions))
         for column, read in self._readers["both"]:
             numbers[:, column] = [read(facts, self._roots(action)) for action in actions]
         return numbers if self.numeric else numbers == 0
 
+    def _about_state(self, facts: Facts) -> list[float]:
+        found = dict(self._unmet)
+        for key, all_args in facts.items():
+            for column, place, sign in self._of_state.get(key, ()):
+                found[column] = 0.0 if place is None else min([sign * self._number(args[place]) for args in all_args])
+        return list(found.values())
+
     def _by_shape(self, state: State) -> Facts:
         facts: Facts = {}
         for fact in state:
             name, args = (fact[0], fact[1:]) if isinstance(fact, tuple) else (fact, ())
             for shape in self._shapes.get((str(name), len(args)), ()):
-                facts.setdefault((shape, *[_exact(args[i]) for i in shape[2]]), []).append(args)
+                facts.setdefault(_key(shape, args), []).append(args)
         return facts
 
     def _of_actions(self, actions: tuple[Action, ...]) -> np.ndarray:
@@ -145,6 +155,15 @@ class FactTable(Table):
 def _value(term: Term, roots: Roots) -> Ground | None:
     """None for an argument that actions of this kind do not have."""
     return roots.get(term.index) if isinstance(term, Var) else term
+
+
+def _sign(bound: Literal) -> float:
+    return 1.0 if bound.name == "=<" else -1.0
+
+
+def _key(shape: Shape, args: Sequence) -> tuple:
+    """What stands in the places of a shape."""
+    return (shape, *[_exact(args[i]) for i in shape[2]])
 
 
 def _exact(value: Ground | None) -> tuple:

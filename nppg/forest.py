@@ -38,7 +38,8 @@ class _Arrays(NamedTuple):
         for _ in range(depth):
             answer = answers.take(starts + self.column.take(node))
             node = self.children.take(node + (answer if rows.dtype == bool else answer <= self.limit.take(node)))
-        return np.broadcast_to(self.value.take(node), (len(rows), len(self.roots)))
+        values = self.value.take(node)
+        return values if depth else np.broadcast_to(values, (len(rows), len(self.roots)))
 
     def shifted(self, offset: int) -> _Arrays:
         """The same with places from `offset` on."""

@@ -401,7 +401,7 @@ mistake(Module, File, _, -(File, Line, 0, Message, Name, Known)) :-
 callable_name(Module, Name) :-
     (   current_predicate(Module:Name/Arity),
         defined(Module, Name/Arity)
-    ;   member(Name, [random, random_between, random_member, random_permutation])
+    ;   member(Name, [random, random_between, random_member, random_permutation, random_normal])
     ;   predicate_property(system:Head, defined),
         functor(Head, Name, _),
         \+ sub_atom(Name, 0, _, _, $)

@@ -3,13 +3,14 @@
             random/1,            % -Float                 det
             random_between/3,    % +Low, +High, -Integer  semidet
             random_member/2,     % -Member, +List         semidet
-            random_permutation/2 % +List, -Permutation    det
+            random_permutation/2, % +List, -Permutation   det
+            random_normal/3      % +Mean, +Deviation, -Float  det
           ]).
 
 /** <module> Randomness of a domain, drawn from Python's generator
 
-The predicates of library(random) that a domain may call, with the same names and meanings. Every number
-comes from the NumPy generator that the caller handed over, so a seed reproduces a run.
+The predicates of library(random) that a domain may call, with the same names and meanings, and a normal
+draw. Every number comes from the NumPy generator that the caller handed over, so a seed reproduces a run.
 */
 
 :- use_module(library(janus), [py_call/2]).
@@ -63,3 +64,11 @@ random_permutation(List, Permutation) :-
     pairs_keys_values(Keyed, Floats, List),
     keysort(Keyed, Sorted),
     pairs_values(Sorted, Permutation).
+
+%!  random_normal(+Mean, +Deviation, -Float) is det.
+%
+%   Normal with that standard deviation, from two uniform draws (Box and Muller 1958). 1 - U1 is never 0.
+
+random_normal(Mean, Deviation, Float) :-
+    draws(2, [U1, U2]),
+    Float is Mean + Deviation * sqrt(-2 * log(1 - U1)) * cos(2 * pi * U2).

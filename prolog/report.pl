@@ -5,7 +5,7 @@
           ]).
 
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/2]).
-:- use_module(library(lists), [append/3]).
+:- use_module(library(lists), [append/3, memberchk/2]).
 :- use_module(interpretation).
 
 /** <module> Telling the user what is wrong
@@ -26,7 +26,10 @@ problems(nppg_fault(Predicate, What), [Problem]) :-
     ;   Module = Predicate,
         File = '', Line = 0, Name = ''
     ),
-    what(What, Explanation),
+    (   What == nppg_unseeded, memberchk(Indicator, [effect/3, effect/4, reward/2])
+    ->  Explanation = 'drew a random number, so what may come of an action cannot be listed,'
+    ;   what(What, Explanation)
+    ),
     circumstances(Indicator, Module, Circumstances),
     format(atom(Text0), '~w~w ~w', [Name, Explanation, Circumstances]),
     tidy(Text0, Text),

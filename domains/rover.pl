@@ -1,0 +1,138 @@
+:- module(rover, []).
+
+% A rover on a line brings the wanted ones of some rocks to its base, as many at a time as its load limit allows. Its
+% battery drains with the distance, and the faster the more it carries; half-way along the line it can be charged. A
+% capacity of more than 1.5 times the length always suffices.
+
+:- fluent place/2, at/1, battery/1, in/2, weight/2, wanted/1, carried/1.
+:- parameter(length, 10.0).
+:- parameter(sites, 3).
+:- parameter(rocks, 5).
+:- parameter(load_limit, 6.0).
+:- parameter(capacity, 16.0).
+:- parameter(step_reward, -0.02).
+
+% Charging fills the battery up; a rock is dropped at the base only.
+
+action(go(Place))  :- place(Place, _), \+ at(Place).
+action(pick(Rock)) :- at(Place), in(Rock, Place), Place \== base, spare(Rock, Spare), Spare >= 0.
+action(drop(Rock)) :- at(base), carried(Rock).
+action(charge)     :- at(charger), battery(Energy), parameter(capacity, Capacity), Energy < Capacity.
+
+effect(go(Place), [at(Here), battery(Energy)], Add) :-
+    at(Here),
+    battery(Energy),
+    load(Load),
+    cost(Here, Place, Load, Cost),
+    Left is Energy - Cost,
+    (   Left > 0 -> Add = [at(Place), battery(Left)] ; Add = [battery(0.0)] ).      % stranded on the way
+effect(pick(Rock), [in(Rock, Place)], [carried(Rock)]) :- at(Place).
+effect(drop(Rock), [carried(Rock)], [in(Rock, base)]).
+effect(charge, [battery(Energy)], [battery(Capacity)]) :- battery(Energy), parameter(capacity, Capacity).
+
+goal     :- \+ missing(_).
+terminal :- \+ at(_).
+
+missing(Rock) :- wanted(Rock), \+ in(Rock, base).
+
+% A full load costs as much as the way itself.
+
+cost(From, To, Load, Cost) :-
+    place(From, X),
+    place(To, Y),
+    parameter(load_limit, Limit),
+    Cost is abs(X - Y) * (1 + Load / Limit).
+
+load(Load) :- aggregate_all(sum(Weight), ( carried(Rock), weight(Rock, Weight) ), Load).
+
+% spare(Rock, Spare): what the load limit leaves if the rock is taken, too; below 0 it does not fit.
+
+spare(Rock, Spare) :-
+    weight(Rock, Weight),
+    load(Load),
+    parameter(load_limit, Limit),
+    Spare is Limit - Load - Weight.
+
+% reserve(Place, Reserve): the energy that is left at the charger after going there by way of Place; below 0 the rover
+% would strand. fetching(Rock, Reserve): the same, by way of the rock's place and with the rock.
+
+reserve(Place, Reserve) :-
+    load(Load),
+    remaining(Place, Load, Reserve).
+
+fetching(Rock, Reserve) :-
+    in(Rock, Place),
+    weight(Rock, Weight),
+    load(Load),
+    Loaded is Load + Weight,
+    remaining(Place, Loaded, Reserve).
+
+remaining(Place, Loaded, Reserve) :-
+    at(Here),
+    battery(Energy),
+    load(Load),
+    cost(Here, Place, Load, There),
+    cost(Place, charger, Loaded, Back),
+    Reserve is Energy - There - Back.
+
+% For each wanted rock that has been brought; the action is drop(Rock) then.
+
+reward(Action, Reward) :-
+    parameter(step_reward, Step),
+    (   Action = drop(Rock), wanted(Rock) -> Reward is Step + 1
+    ;   terminal                          -> Reward is Step - 1
+    ;   Reward = Step
+    ).
+
+% Rock by rock by way of the charger takes eight steps each.
+
+horizon(Steps) :- aggregate_all(count, missing(_), Missing), Steps is 10 * Missing.
+
+% Fetches what fits, the nearest first, as long as it leaves enough to reach the charger; else goes home with what it
+% has, if that leaves enough, too; else charges.
+
+expert(drop(Rock)) :- at(base), carried(Rock).
+expert(charge)     :- action(charge).
+expert(Action)     :- \+ ( at(base), carried(_) ), \+ action(charge), errand(Action).
+
+errand(Action) :-
+    findall(Distance-Rock, ( fetchable(Rock), distance(Rock, Distance) ), Rocks),
+    (   keysort(Rocks, [_-Rock|_])              -> towards(Rock, Action)
+    ;   carried(_), reserve(base, R), R > 0     -> Action = go(base)
+    ;   at(charger)                             -> Action = go(base)
+    ;   Action = go(charger)
+    ).
+
+fetchable(Rock) :- missing(Rock), \+ carried(Rock), spare(Rock, S), S >= 0, fetching(Rock, R), R > 0.
+
+distance(Rock, Distance) :- in(Rock, Place), at(Here), cost(Here, Place, 0, Distance).
+
+towards(Rock, Action) :- in(Rock, Place), ( at(Place) -> Action = pick(Rock) ; Action = go(Place) ).
+
+% Sites anywhere along the line, two rocks or more at any of them, each wanted or not, but one at least.
+
+start([at(base), battery(Capacity), place(base, 0.0), place(charger, Middle)|Facts]) :-
+    parameter(length, Length),
+    parameter(capacity, Capacity),
+    Middle is Length / 2,
+    sites(Length, Sites),
+    rocks(Rocks),
+    random_member(First, Rocks),
+    foldl(rock(Sites, First), Rocks, Sites, Facts).
+
+sites(Length, Sites) :-
+    parameter(sites, N),
+    findall(place(Site, X), ( between(1, N, I), atom_concat(site, I, Site), random(U), X is U * Length ), Sites).
+
+rocks(Rocks) :-
+    parameter(rocks, Most),
+    random_between(2, Most, Count),
+    findall(Rock, ( between(1, Count, I), atom_concat(rock, I, Rock) ), Rocks).
+
+rock(Sites, First, Rock, Facts, [in(Rock, Site), weight(Rock, Weight)|Rest]) :-
+    random_member(place(Site, _), Sites),
+    parameter(load_limit, Limit),
+    random(U),
+    Weight is Limit * (0.1 + 0.8 * U),
+    random(V),
+    (   ( Rock == First ; V < 0.5 ) -> Rest = [wanted(Rock)|Facts] ; Rest = Facts ).
