@@ -1,7 +1,7 @@
 """Another library learns the blocks world: MaskablePPO of sb3-contrib, a neural policy.
 
 pip install 'nppg[gym]' sb3-contrib
-python examples/masked_ppo.py --blocks 4 --steps 100000 --seed 0
+python examples/masked_ppo.py --blocks 4 --steps 50000 --seed 0
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def success(model: MaskablePPO, env: gymnasium.Env, starts: int, greedy: bool) -
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--blocks", type=int, default=4)
-    parser.add_argument("--steps", type=int, default=100_000)
+    parser.add_argument("--steps", type=int, default=50_000)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--starts", type=int, default=1000, help="episodes of each evaluation")
     options = parser.parse_args()

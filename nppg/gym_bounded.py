@@ -23,8 +23,7 @@ from nppg.opening import language_bias_of
 from nppg.refinement import Refiner
 from nppg.shipped import locate
 
-_STARTS = 10
-_SEARCHED = 5000  # actions taken while searching
+_SEARCHES = ((1, 3000), (5, 200), (100, 20))  # starts, and actions taken from each: some searches deep, many wide
 
 
 class BoundedEnv(DomainEnv):
@@ -95,11 +94,16 @@ class BoundedEnv(DomainEnv):
 
 
 def most_actions(domain: Domain) -> int:
-    """The largest number of legal actions in a state that a best-first search from random starts finds, which follows
+    """The largest number of legal actions in a state that best-first searches find, from random starts, which follow
     states with many actions first. The same in every run; a large domain may have states with more."""
     if domain.environment:
         return len(Domain.situation(domain, ()).actions)  # what its file gives in every state, masked ones included
     rng = np.random.default_rng(0)
+    return max(1, *(_most_from(domain, taken, rng) for starts, taken in _SEARCHES for _ in range(starts)))
+
+
+def _most_from(domain: Domain, left: int, rng: np.random.Generator) -> int:
+    """From one start, with about as many actions taken as are `left`."""
     counts: dict[State, int] = {}
     queue: list[tuple[int, int, State, list[Action]]] = []
 
@@ -109,12 +113,10 @@ def most_actions(domain: Domain) -> int:
             counts[state] = len(actions)
             heapq.heappush(queue, (-len(actions), len(counts), state, actions))
 
-    for _ in range(_STARTS):
-        meet(domain.start(rng))
-    left = _SEARCHED
+    meet(domain.start(rng))
     while queue and left > 0:
         _, _, state, actions = heapq.heappop(queue)
         for action in actions:
             meet(domain.act(state, action, rng)[1])
         left -= len(actions)
-    return max([1, *counts.values()])
+    return max(counts.values())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import math
+import re
 import sys
 import warnings
 from pathlib import Path
@@ -58,7 +59,7 @@ def line(tmp_path: Path) -> Path:
 def test_gymnasium_finds_nothing_wrong(name: str, kind: str) -> None:
     given = {"domain": FERRY} if name == "Domain" else {}
     if kind:
-        given["slots"] = most_actions(Domain(given.get("domain", name)))
+        given["slots"] = 2 * most_actions(Domain(given.get("domain", name)))
     env = gymnasium.make(f"nppg/{name}{kind}-v0", horizon_factor=3, **given)  # an end after one step is refused
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -218,8 +219,12 @@ def test_rows_are_the_answers_of_the_legal_actions(name: str) -> None:
         assert observation in env.observation_space and observation.shape == (100, len(env.tests))
         assert info["action_mask"].dtype == np.int8
         assert list(env.action_masks()) == list(info["action_mask"] == 1) == [i < len(actions) for i in range(100)]
-        answers = table.answers(env.state, actions) if actions else np.empty((0, len(table)), bool)
-        np.testing.assert_array_equal(observation[: len(actions)], answers)
+        for row, own in zip(observation, table.answers(env.state, actions) if actions else (), strict=False):
+            for column, (seen, answer) in enumerate(zip(row.tolist(), own.tolist(), strict=True)):
+                if column in table.bounds:
+                    assert seen == (0 if answer == np.inf else np.float32(answer))
+                else:
+                    assert seen == (answer <= 0.5 if table.numeric else answer)
         assert not observation[len(actions) :].any()
         observation, _, terminated, truncated, info = env.step(env.action_space.sample(info["action_mask"]))
         if terminated or truncated:
@@ -289,6 +294,16 @@ def test_too_few_slots() -> None:
     with pytest.raises(NppgError, match=r"blocks_world\.pl: a state has \d+ legal actions .* slots=2: give more"):
         for seed in range(20):
             env.reset(seed=seed)
+
+
+def test_what_the_manual_shows_happens(capsys: pytest.CaptureFixture[str]) -> None:
+    text = (Path(__file__).parent.parent / "docs" / "gymnasium.md").read_text(encoding="utf-8")
+    section = text.partition("## nppg domains as Gymnasium environments\n")[2].partition("\n## ")[0]
+    code = "".join(re.findall(r"```python\n(.*?)```", section, re.DOTALL))
+    exec(compile(code, "gymnasium.md", "exec"), {})
+    printed = capsys.readouterr().out
+    shown = re.findall(r"print\(.*\)  # (.*)", code)
+    assert len(shown) == 3 and all(f"{line}\n" in printed for line in shown)
 
 
 # ---------------------------------------------------------------- mistakes of users
