@@ -55,10 +55,10 @@ def _tried(domain: Domain, bias: LanguageBias) -> Iterator[Problem]:
                 domain.expert_actions(state)
                 domain.picture(state)
                 domain.parts(state)
-                table.answers(state, situation.actions)
-                tried = situation.actions[:1] if domain.environment else situation.actions  # it cannot go back
-                following = [domain.act(state, action, rng)[1] for action in tried]
-                state = following[int(rng.random() * len(following))]
+                table.answers(domain.observe(state, rng), situation.actions)
+                chosen = situation.actions[int(rng.random() * len(situation.actions))]
+                tried = [chosen] if domain.environment else situation.actions  # an environment goes one way only
+                state = {action: domain.act(state, action, rng)[1] for action in tried}[chosen]
     except NppgError as error:
         yield from error.problems
 

@@ -51,6 +51,8 @@ class World(Protocol):
 
     def horizon(self, state: State) -> int: ...
 
+    def observe(self, state: State, rng: np.random.Generator) -> State: ...
+
     def expert_actions(self, state: State) -> list[Action]: ...
 
     def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]: ...
@@ -83,9 +85,16 @@ class Domain:
         self.has_expert: bool = description["expert"] == "true"
         self.has_goal: bool = description["goal"] == "true"
         self.has_parts: bool = description["parts"] == "true"
+        self.has_observation: bool = description["observation"] == "true"
         self.environment: str = description["environment"]  # of Gymnasium, which nppg.open_domain opens; or empty
         self._current: State | None = None
         self._situation: list | None = None  # that of the current state, where it is known
+
+    @property
+    def is_countable(self) -> bool:
+        """Whether it is for exact evaluation, if it has few enough states: it declares a uniform start, has a goal, and
+        is seen as it is."""
+        return self.uniform_start and self.has_goal and not self.has_observation
 
     @property
     def hash(self) -> str:
@@ -121,6 +130,15 @@ class Domain:
         self.visit(state)
         return ask("horizon_of", self.module)
 
+    def observe(self, state: State, rng: np.random.Generator) -> State:
+        """What a policy sees in place of the state, a tuple of facts like it: the state itself, unless the domain
+        defines observation/1, which may draw anew each time."""
+        if not self.has_observation:
+            return state
+        self.visit(state)
+        with randomness(rng):
+            return ground(ask("observed", self.module))
+
     def expert_actions(self, state: State) -> list[Action]:
         """What the domain's expert would do, none if it has no advice."""
         self.visit(state)
@@ -136,6 +154,11 @@ class Domain:
             reward, facts, self._situation = ask("act", self.module, action)
         self._current = ground(facts)
         return reward, self._current
+
+    def reward(self, state: State, action: Action) -> float:
+        """The reward for an action that has just led to the state."""
+        self.visit(state)
+        return ask("reward_of", self.module, action)
 
     def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
         """Every legal action, also of a goal or terminal state, with all its outcomes."""

@@ -18,8 +18,9 @@ IDLE = 1000  # episodes in a row without a step, after which there is nothing to
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """A state with its legal actions, the answers to the policy's tests about them (shape (actions, tests)), their
-    potentials and probabilities, the index of the action taken, and the reward."""
+    """A state as the policy sees it, with its legal actions, the answers to the policy's tests about them (shape
+    (actions, tests)), their potentials and probabilities, the index of the action taken, and the reward; and the state
+    as it is."""
 
     state: State
     actions: Sequence[Action]
@@ -28,18 +29,21 @@ class Step:
     probabilities: np.ndarray
     chosen: int
     reward: float
+    actual: State
 
 
 @dataclass(frozen=True, slots=True)
 class Episode:
-    """The steps, the last state, its legal actions (none where it is a goal or terminal state), and whether it is a
-    goal state. `guided`: the expert chose the actions."""
+    """The steps, the last state as the policy sees it, its legal actions (none where it is a goal or terminal state),
+    and whether it is a goal state. `guided`: the expert, who sees states as they are, chose the actions. `actual`: the
+    last state as it is."""
 
     steps: tuple[Step, ...]
     last: State
     open: Sequence[Action]
     success: bool
     guided: bool
+    actual: State
 
 
 def generate_episode(
@@ -62,7 +66,8 @@ def generate_episode(
     steps: list[Step] = []
     status, actions = domain.situation(state)
     while status == "running" and len(steps) < limit:
-        answers = policy.answers(state, actions)
+        seen = domain.observe(state, rng)
+        answers = policy.answers(seen, actions)
         potentials = policy.potentials_of(answers)
         probabilities = policy.probabilities_of(potentials)
         advice = [each for each in domain.expert_actions(state) if each in actions] if guided else []
@@ -71,10 +76,10 @@ def generate_episode(
         else:
             chosen = choose(probabilities, rng, greedy)
         reward, following = domain.act(state, actions[chosen], rng)
-        steps.append(Step(state, actions, answers, potentials, probabilities, chosen, reward))
+        steps.append(Step(seen, actions, answers, potentials, probabilities, chosen, reward, state))
         state = following
         status, actions = domain.situation(state)
-    return Episode(tuple(steps), state, actions, status == "goal", guided)
+    return Episode(tuple(steps), domain.observe(state, rng), actions, status == "goal", guided, state)
 
 
 def training_episodes(policy: Policy, rng: np.random.Generator, options: Common) -> Iterator[Episode]:

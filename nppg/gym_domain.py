@@ -122,6 +122,9 @@ class GymDomain(Domain):
     def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
         raise NppgError(f"gym:{self._made.id}: the outcomes of its actions cannot be listed")
 
+    def reward(self, state: State, action: Action) -> float:
+        raise NppgError(f"gym:{self._made.id}: its rewards are told when a step is taken, not afterwards")
+
     def _legal(self, info: dict[str, Any]) -> Situation:
         """A mask that allows nothing says nothing."""
         mask = info.get("action_mask")

@@ -38,7 +38,7 @@ lookahead: 1
 max_variables: {count}
 
 sentences:
-  do: "take action {{1}}"
+  do: "do {{1}}"
   obs: "component {{1}} is {{2}}"
 """
 

@@ -97,6 +97,12 @@ binding_of(Module, Name, Arity, Data) :-
     binding(Module, Name, Arity, Values),
     maplist(encode, Values, Data).
 
+%!  observed(+Module, -Data) is det: the facts that are seen of the current state.
+
+observed(Module, Data) :-
+    observation(Module, Facts),
+    encode_all(Facts, Data).
+
 %!  intact(+Module, -Truth) is det: whether the fluents are what the state says, and domain code left them alone.
 
 intact(Module, Truth) :-
@@ -195,6 +201,12 @@ act(Module, ActionData, [Reward, Data, Situation]) :-
     ->  Situation = Found
     ;   Situation = []
     ).
+
+%!  reward_of(+Module, +Action, -Reward) is det: for an action that has just led to the current state.
+
+reward_of(Module, ActionData, Reward) :-
+    decode(ActionData, Action),
+    reward(Module, Action, Reward).
 
 chosen([_-Facts], Facts) :-
     !.

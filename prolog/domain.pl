@@ -5,6 +5,7 @@
             status/2,            % +Module, -Status              det
             actions/2,           % +Module, -Actions             det
             experts/2,           % +Module, -Actions             det
+            observation/2,       % +Module, -Facts               det
             picture/2,           % +Module, -Lines               det
             parts/2,             % +Module, -Parts               det
             horizon/2,           % +Module, -Steps               det
@@ -37,6 +38,7 @@ of them has a state argument: they see the facts of the current state. docs/doma
 | reward(+Action, -R)               | for the action that led to the current state; default: 1 in a goal state, else 0 |
 | horizon(-N)                       | in a start state: the length after which an episode ends; default 100 |
 | expert(-Action)                   | the actions that an expert would take, by backtracking   |
+| observation(-Facts)               | what is seen in place of the current state's facts, at random if it likes; default: these |
 | picture(-Lines)                   | the current state drawn for people, a list of atoms; default: its facts |
 | parts(-Lists)                     | the parts that two states are compared by, each a list of ground terms; default: the facts |
 
@@ -321,6 +323,7 @@ contract(terminal/0).
 contract(reward/2).
 contract(horizon/1).
 contract(expert/1).
+contract(observation/1).
 contract(picture/1).
 contract(parts/1).
 
@@ -333,6 +336,7 @@ dynamics(goal/0).
 dynamics(terminal/0).
 dynamics(reward/2).
 dynamics(horizon/1).
+dynamics(observation/1).
 
 defined(Module, Name/Arity) :-
     functor(Head, Name, Arity),
@@ -476,6 +480,8 @@ description(Module, _, expert, Expert) :-
     truth(defined(Module, expert/1), Expert).
 description(Module, _, goal, Goal) :-
     truth(defined(Module, goal/0), Goal).
+description(Module, _, observation, Observation) :-
+    truth(defined(Module, observation/1), Observation).
 description(Module, _, parts, Parts) :-
     truth(defined(Module, parts/1), Parts).
 
@@ -595,6 +601,17 @@ experts(Module, Actions) :-
         sort(Found, Actions),
         must_be_actions(Module, expert/1, Actions)
     ;   Actions = []
+    ).
+
+%!  observation(+Module, -Facts) is det.
+%
+%   What is seen of the current state, in a domain that defines observation/1.
+
+observation(Module, Facts) :-
+    (   guarded(Module:(observation/1), Module:observation(Seen))
+    ->  must_be_facts(Module, observation/1, Seen),
+        sort(Seen, Facts)
+    ;   fault(Module:(observation/1), failed-[])
     ).
 
 %!  picture(+Module, -Lines) is det.

@@ -155,7 +155,8 @@ def test_what_ends_a_run_is_recorded(tmp_path: Path) -> None:
     assert "model(curve" not in (tmp_path / "model.pl").read_text()
     assert train(tmp_path, "blocks_world", "--until-success", "0.5", "--starts", "30") == 0
     recorded = json.loads((tmp_path / "run.json").read_text())["curve"]
-    assert recorded == {"evaluate_every": 10, "starts": 30, "until_success": 0.5}
+    assert recorded == {"evaluate_every": 10, "starts": 30, "until_success": 0.5, "until_return": None}
+    assert recorded.pop("until_return") is None
     for name, value in recorded.items():
         assert f"model(curve, {name}={value}).\n" in (tmp_path / "model.pl").read_text()
 
