@@ -94,7 +94,8 @@ class Choice(spaces.Space):
 
 
 class DomainEnv(gymnasium.Env):
-    """A domain; the observation is its state, the facts' texts in Prolog's standard order.
+    """A domain; the observation is its state, the facts' texts in Prolog's standard order, or what the domain's
+    observation/1 shows of it.
 
     `info["actions"]` has the legal actions, none once the episode has terminated, and `info["action_texts"]` how
     Prolog writes them; step(i) takes the i-th. A number that none of them has changes nothing, is rewarded by 0, counts
@@ -161,9 +162,13 @@ class DomainEnv(gymnasium.Env):
     def _observed(self) -> tuple[Any, dict[str, Any]]:
         """The observation and its info."""
         self.action_space.count = len(self.actions)
-        written = texts([*self.state, *self.actions])
-        facts = len(self.state)
+        seen = self._seen()
+        written = texts([*seen, *self.actions])
+        facts = len(seen)
         return tuple(written[:facts]), {**self._info(), "action_texts": written[facts:]}
+
+    def _seen(self) -> State:
+        return self.domain.observe(self.state, self.np_random)
 
     def _info(self) -> dict[str, Any]:
         return {"actions": list(self.actions), "is_success": self._status == "goal"}

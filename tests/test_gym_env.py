@@ -41,6 +41,10 @@ goal :- at(X), X >= 1.
 horizon(N) :- at(X), N is max(0, -X).
 start([at(X)]) :- parameter(low, Low), random_between(Low, 1, X).
 """
+FOG = f"""\
+{LINE.replace("low, 0", "low, -9").replace("Low, 1", "Low, -1")}
+observation([at(Y)]) :- at(X), random(U), Y is X + U.
+"""
 
 
 @pytest.fixture
@@ -77,8 +81,10 @@ def test_registering_again_changes_nothing() -> None:
 
 @pytest.mark.parametrize("kind", ["", "-bounded"])
 def test_environments_side_by_side_are_those_alone(kind: str) -> None:
+    slots = {"slots": 6} if kind else {}
+
     def made() -> gymnasium.Env:
-        return gymnasium.make(f"nppg/blocks_world{kind}-v0", parameters={"blocks": 3})
+        return gymnasium.make(f"nppg/blocks_world{kind}-v0", parameters={"blocks": 3}, **slots)
 
     both = gymnasium.vector.SyncVectorEnv([made, made])
     observations, _ = both.reset(seed=[5, 6])
@@ -90,10 +96,13 @@ def test_environments_side_by_side_are_those_alone(kind: str) -> None:
 # ---------------------------------------------------------------- the domain
 
 
-@pytest.mark.parametrize("name", [*SHIPPED, FERRY])
+@pytest.mark.parametrize("name", [*SHIPPED, FERRY, "fog"])
 @pytest.mark.parametrize("seed", [0, 1])
 @pytest.mark.parametrize("factor", [1, 1.5])
-def test_an_episode_is_the_domains(name: str, seed: int, factor: float) -> None:
+def test_an_episode_is_the_domains(name: str, seed: int, factor: float, line: Path) -> None:
+    if name == "fog":
+        name = str(line)
+        line.write_text(FOG)
     env, domain = DomainEnv(name, horizon_factor=factor), Domain(name)
     rng, choices = np.random.default_rng(seed), np.random.default_rng(seed)
     for number in range(5):
@@ -103,7 +112,7 @@ def test_an_episode_is_the_domains(name: str, seed: int, factor: float) -> None:
         steps, over = 0, False
         while not over:
             assert env.state == state
-            assert observation == tuple(texts(state))
+            assert observation == tuple(texts(domain.observe(state, rng)))
             assert info["actions"] == domain.situation(state).actions
             assert info["action_texts"] == texts(info["actions"])
             assert observation in env.observation_space
@@ -116,6 +125,7 @@ def test_an_episode_is_the_domains(name: str, seed: int, factor: float) -> None:
             assert truncated == (not terminated and steps == limit)
             assert info["legal"]
             over = terminated or truncated
+        assert observation == tuple(texts(domain.observe(state, rng)))
 
 
 def test_seeds_tell_episodes_apart() -> None:
@@ -267,6 +277,14 @@ def test_numbers_that_are_compared_are_seen_themselves(line: Path) -> None:
         assert list(observation[:, columns["at(A), A >= #"]]) == [-position, -position]
         assert list(observation[:, columns["action is left"]]) == [1, 0]
         assert observation in env.observation_space
+
+
+def test_only_what_the_domain_shows_is_seen(line: Path) -> None:
+    line.write_text(FOG)
+    line.with_suffix(".yaml").write_text(NUMBERS)
+    observation, _ = BoundedEnv(line).reset(seed=0)
+    (text,), _ = DomainEnv(line).reset(seed=0)
+    assert np.float32(text[3:-1]) in observation and np.float32(text[3:-1]) % 1
 
 
 @pytest.mark.parametrize("kind", ["", "-bounded"])
