@@ -57,7 +57,7 @@ class Refinement:
 def closed(query: Query, limit: float) -> Query:
     """A query with the threshold that makes its limit this one in place of OPEN; see logic.opened."""
     return tuple(
-        Literal(each.name, (each.args[0], limit if each.name == "=<" else -limit)) if is_open(each) else each
+        Literal(each.name, (each.args[0], limit if each.name == "=<" else 0.0 - limit)) if is_open(each) else each
         for each in query
     )
 
