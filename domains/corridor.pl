@@ -6,6 +6,7 @@
 
 :- fluent pos/1.
 :- parameter(length, 10.0).
+:- parameter(step, 1.0).
 :- parameter(noise_mean, 0.0).
 :- parameter(noise_sd, 1.0).
 :- parameter(step_reward, -1.0).
@@ -16,11 +17,12 @@ action(right).
 
 effect(Action, [pos(X)], [pos(Y)]) :-
     pos(X),
-    step(Action, Step),
+    step(Action, Sign),
+    parameter(step, Step),
     parameter(noise_mean, Mean),
     parameter(noise_sd, Deviation),
     random_normal(Mean, Deviation, Noise),
-    Y is X + Step + Noise.
+    Y is X + Sign * Step + Noise.
 
 step(left, -1).
 step(right, 1).

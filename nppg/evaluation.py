@@ -29,6 +29,13 @@ class Evaluation:
     mean_return: float | None = None
 
 
+def merit(policy: Policy, result: Evaluation) -> tuple[str, float]:
+    """What the policy is judged by, with its name: its success; the mean return where the domain has no goal."""
+    if policy.domain.has_goal or result.mean_return is None:
+        return "success", result.success
+    return "mean_return", result.mean_return
+
+
 def evaluate(
     policy: Policy, starts: int = 1000, seed: int = 0, greedy: bool = False, horizon_factor: float = 1.0
 ) -> Evaluation:
