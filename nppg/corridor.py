@@ -35,7 +35,9 @@ class Corridor:
     def __init__(self, domain: Domain, cells: int = 1000):
         numbers = {name: float(value) for name, value in domain.parameters.items()}
         if numbers["noise_sd"] <= 0:
-            raise NppgError(f"{domain.path}: noise_sd must be above 0 for the optimal policy, not {numbers['noise_sd']}")
+            raise NppgError(
+                f"{domain.path}: noise_sd must be above 0 for the optimal policy, not {numbers['noise_sd']}"
+            )
         self.edges = np.linspace(0, numbers["length"], cells + 1)
         self.centres = (self.edges[:-1] + self.edges[1:]) / 2
         self._step_reward, self._exit_reward = numbers["step_reward"], numbers["exit_reward"]
