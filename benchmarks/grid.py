@@ -1,0 +1,82 @@
+"""The grid world, learned with TILDE and with CART, against its exact optimum.
+
+python -m benchmarks.grid --output docs/grid.md
+"""
+
+from __future__ import annotations
+
+import argparse
+import platform
+import time
+from pathlib import Path
+from statistics import mean, pstdev
+from typing import NamedTuple
+
+from nppg import Domain, LanguageBias, Options, train
+from nppg.evaluation import ExactEvaluator
+from nppg.optimum import ReturnEvaluator
+from nppg.shipped import locate
+from nppg.space import Space
+
+_OPTIONS = {"step": "second-order", "min_examples": 2000, "episodes": 3000, "critic": "value", "importance": 0.0}
+
+
+class Run(NamedTuple):
+    """What one run has come to: expected returns of the stochastic and the greedy policy, how often the greedy one's
+    first action is optimal, and the seconds of learning."""
+
+    stochastic: float
+    greedy: float
+    agreement: float
+    seconds: float
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--seeds", type=int, default=10, help="seeds 0 to N - 1")
+    parser.add_argument("--first-seed", type=int, default=0)
+    parser.add_argument("--output", type=Path, required=True)
+    chosen = parser.parse_args()
+    domain = Domain("grid")
+    bias = LanguageBias.load(locate("grid", "language_bias", ".yaml"))
+    space = Space(domain)
+    rewards = ReturnEvaluator(space)
+    seeds = range(chosen.first_seed, chosen.first_seed + chosen.seeds)
+    rows = []
+    for regressor in ("tilde", "cart"):
+        found = []
+        for seed in seeds:
+            begin = time.perf_counter()
+            *_, last = train(domain, bias, Options(**_OPTIONS, regressor=regressor, seed=seed))  # type: ignore[arg-type]
+            seconds = time.perf_counter() - begin
+            judge = ExactEvaluator(last.policy, space)
+            stochastic, greedy = (judge.probabilities(each) for each in (False, True))
+            found.append(Run(rewards.of(stochastic).mean, rewards.of(greedy).mean, rewards.agreement(greedy), seconds))
+        rows.append(f"| {regressor.upper()} | {' | '.join(map(_moments, zip(*found, strict=True)))} |")
+        print(rows[-1], flush=True)
+    options = ", ".join(f"{name} = {value}" for name, value in _OPTIONS.items())
+    lines = [
+        "# The grid world",
+        "",
+        f"`python -m benchmarks.grid --seeds {chosen.seeds} --output {chosen.output}`",
+        "",
+        f"grid.pl as it is: {space.starts} start states, exact expected returns over all of them. {options}; seeds "
+        f"{seeds[0]} to {seeds[-1]}; Python {platform.python_version()}, {platform.machine()}.",
+        "",
+        f"The optimal policy, which also knows how many steps are left, has the return {rewards.optimal().mean:.4f}.",
+        "",
+        "| learner | return | return, greedy | first action optimal, greedy | seconds |",
+        "|---|---|---|---|---|",
+        *rows,
+        "",
+        "Mean ± standard deviation over the seeds.",
+    ]
+    chosen.output.write_text("\n".join(lines) + "\n")
+
+
+def _moments(values: tuple[float, ...]) -> str:
+    return f"{mean(values):.3f} ± {pstdev(values):.3f}"
+
+
+if __name__ == "__main__":
+    main()
