@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from nppg.evaluation import Evaluation, evaluate, evaluate_exactly
     from nppg.language_bias import LanguageBias
     from nppg.learners import train
+    from nppg.opening import language_bias_of, open_domain
     from nppg.options import Options
     from nppg.policy import Policy
     from nppg.runs import run
@@ -31,6 +32,8 @@ _HOME = {
     "evaluate": "evaluation",
     "evaluate_exactly": "evaluation",
     "generate_episode": "episode",
+    "language_bias_of": "opening",
+    "open_domain": "opening",
     "run": "runs",
     "train": "learners",
 }
@@ -45,6 +48,8 @@ __all__ = [
     "evaluate",
     "evaluate_exactly",
     "generate_episode",
+    "language_bias_of",
+    "open_domain",
     "run",
     "train",
 ]

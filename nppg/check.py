@@ -16,14 +16,17 @@ _STARTS = 10
 _STEPS = 5
 
 
-def check(load_domain: Callable[[], Domain], load_bias: Callable[[], LanguageBias]) -> tuple[list[Problem], str]:
-    """The problems of both files and of their fit, and a summary for where there are none.
+def check(
+    load_domain: Callable[[], Domain], load_bias: Callable[[Domain | None], LanguageBias | None]
+) -> tuple[list[Problem], str]:
+    """The problems of both files and of their fit, and a summary for where there are none. `load_bias` is given the
+    domain, where that could be loaded.
 
     Where the files are sound, all predicates are tried in some random episodes, and all tests of the bias.
     """
     domain, problems = _loaded(load_domain)
-    bias, more = _loaded(load_bias)
-    problems += more
+    bias, more = _loaded(lambda: load_bias(domain))
+    problems = list(dict.fromkeys([*problems, *more]))  # both may find that there is no such file
     if domain and bias and not problems:
         problems = bias.check(domain.predicates, domain.actions)
         if not problems:
@@ -52,9 +55,10 @@ def _tried(domain: Domain, bias: LanguageBias) -> Iterator[Problem]:
                 domain.expert_actions(state)
                 domain.picture(state)
                 domain.parts(state)
-                table.answers(state, situation.actions)
-                following = [domain.act(state, action, rng)[1] for action in situation.actions]
-                state = following[int(rng.random() * len(following))]
+                table.answers(domain.observe(state, rng), situation.actions)
+                chosen = situation.actions[int(rng.random() * len(situation.actions))]
+                tried = [chosen] if domain.environment else situation.actions  # an environment goes one way only
+                state = {action: domain.act(state, action, rng)[1] for action in tried}[chosen]
     except NppgError as error:
         yield from error.problems
 

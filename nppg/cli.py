@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import signal
 import sys
 import time
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import Field, asdict, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,11 +22,11 @@ from nppg.errors import NppgError, Problem
 from nppg.experiments import EXPERIMENTS
 from nppg.language_bias import LanguageBias, TreeLimits
 from nppg.learners import LEARNERS
-from nppg.options import Common, Options, at_least
+from nppg.options import Common, Options, at_least, kind_of
 from nppg.shipped import locate, shipped
 
 if TYPE_CHECKING:
-    from nppg.domain import Domain
+    from nppg.domain import Domain, State
     from nppg.policy import Policy
     from nppg.runs import Progress
 
@@ -75,8 +77,8 @@ def _parser() -> argparse.ArgumentParser:
     check = command("check", _check, "report every mistake in a domain and its language bias")
     train = command("train", _train, "learn a policy")
     for each in (check, train):
-        each.add_argument("domain", help="a shipped domain's name, or a file")
-        each.add_argument("--bias", help="language bias (default: the file of the domain's name)")
+        each.add_argument("domain", help="a shipped domain's name, a file, or gym:ID for an environment of Gymnasium")
+        each.add_argument("--bias", help="language bias (default: the file of the domain's name, or a generated one)")
     evaluate = command("evaluate", _evaluate, "measure a policy's success")
     show = command("show", _show, "print a policy's trees")
     play = command("play", _play, "draw one episode step by step")
@@ -108,8 +110,8 @@ def _parser() -> argparse.ArgumentParser:
     )
     reproduce = command("reproduce", _reproduce, "do an experiment of the paper: its runs, its figure, a report")
     reproduce.add_argument("experiment", choices=EXPERIMENTS)
-    reproduce.add_argument("--runs", type=int, default=10, help="runs of each learner, seeds from 0 (default: 10)")
-    reproduce.add_argument("--episodes", type=int, default=2000, help="(default: 2000)")
+    reproduce.add_argument("--runs", type=int, help="runs of each variant, seeds from 0 (default: as in the paper)")
+    reproduce.add_argument("--episodes", type=int, help="of each run (default: as in the paper)")
     reproduce.add_argument("--jobs", type=int, help="runs at a time (default: the cores there are)")
     reproduce.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a parameter of the domain")
     reproduce.add_argument(
@@ -135,6 +137,12 @@ def _parser() -> argparse.ArgumentParser:
     train.add_argument("--starts", type=int, default=200, help="starts of a sampled point of the curve (default: 200)")
     train.add_argument(
         "--until-success", type=float, metavar="P", help="stop at the first point of the curve with this success"
+    )
+    train.add_argument(
+        "--until-return",
+        type=float,
+        metavar="R",
+        help="stop at the first point with this mean return; points are then sampled, not exact",
     )
     train.add_argument("--quiet", action="store_true", help="print nothing")
 
@@ -179,10 +187,11 @@ def _add_option(parser: argparse.ArgumentParser, name: str, owners: Mapping[str,
     parser.add_argument(
         f"--{name.replace('_', '-')}",
         dest=name,
-        type=type(first.default),
+        type=kind_of(first),
         choices=choices,
-        metavar=None if choices else type(first.default).__name__.upper(),
-        help=f"{only}{first.metadata.get('help') or _LIMITS[first.name]} (default: {shown})",
+        metavar=None if choices else kind_of(first).__name__.upper(),
+        help=f"{only}{first.metadata.get('help') or _LIMITS[first.name]}"
+        + ("" if first.default is None else f" (default: {shown})"),
     )
 
 
@@ -219,32 +228,33 @@ def _value(text: str) -> int | float | str:
 
 
 def _domain(options: argparse.Namespace) -> Domain:
-    from nppg.domain import Domain
+    from nppg.opening import open_domain
 
-    return Domain(options.domain, _parameters(options.set))
+    with _warnings_told():
+        return open_domain(options.domain, _parameters(options.set))
 
 
-def _bias_path(options: argparse.Namespace) -> Path:
-    """The file given by --bias, or that of the domain's name: beside the domain, else among the shipped ones.
+@contextmanager
+def _warnings_told(tell: bool = True) -> Iterator[None]:
+    """Prints each warning on a line of its own."""
+    with warnings.catch_warnings(record=True) as noted:
+        warnings.simplefilter("always")
+        yield
+    for each in noted if tell else ():
+        print(f"warning: {each.message}", file=sys.stderr)
 
-    Where a parameter is set to the name of another bias in that folder, the user is to choose."""
+
+def _bias(options: argparse.Namespace, domain: Domain | None) -> LanguageBias | None:
+    """The file given by --bias, or what goes with the domain, if that could be loaded or at least be found."""
+    from nppg.opening import bias_path, is_environment, language_bias_of
+
     if options.bias:
-        return locate(options.bias, "language_bias", ".yaml")
-    domain = locate(options.domain, "domains", ".pl")
-    path = domain.with_suffix(".yaml")
-    if not path.is_file():
-        try:
-            path = locate(domain.stem, "language_bias", ".yaml")
-        except NppgError:
-            raise NppgError(
-                [Problem(str(path), 0, 0, "there is no language bias of this name; give one by --bias")]
-            ) from None
-    for setting in options.set:
-        other = path.parent / f"{setting.partition('=')[2]}.yaml"
-        if other in path.parent.glob("*.yaml") and other != path:
-            own, default = (each.stem if each.parent == shipped("language_bias") else each for each in (other, path))
-            raise NppgError(f"{setting} has a language bias of its own: give --bias {own}, or --bias {default}")
-    return path
+        return LanguageBias.load(locate(options.bias, "language_bias", ".yaml"))
+    if domain:
+        return language_bias_of(domain)
+    if is_environment(options.domain):
+        return None
+    return LanguageBias.load(bias_path(locate(options.domain, "domains", ".pl"), _parameters(options.set)))
 
 
 def _doctor() -> int:
@@ -258,7 +268,7 @@ def _doctor() -> int:
 def _check(options: argparse.Namespace) -> int:
     from nppg.check import check
 
-    problems, summary = check(lambda: _domain(options), lambda: LanguageBias.load(_bias_path(options)))
+    problems, summary = check(lambda: _domain(options), lambda domain: _bias(options, domain))
     if problems:
         raise NppgError(problems)
     print(summary)
@@ -273,7 +283,9 @@ def _train(options: argparse.Namespace) -> int:
     chosen = kind(**{field.name: given.pop(field.name) for field in fields(kind) if field.name in given})
     at_least("evaluate-every", options.evaluate_every, 0)
     at_least("starts", options.starts, 1)
-    domain, bias = _domain(options), LanguageBias.load(_bias_path(options))
+    domain = _domain(options)
+    bias = _bias(options, domain)
+    assert bias
     limits = {field.name: _RENAMED.get(field.name, field.name) for field in fields(TreeLimits)}
     bias = replace(bias, tree=replace(bias.tree, **{name: given[own] for name, own in limits.items() if own in given}))
     output = options.output or Path("runs") / domain.name
@@ -281,7 +293,12 @@ def _train(options: argparse.Namespace) -> int:
     until = options.until_success
     if until is not None and not (0 <= until <= 1 and options.evaluate_every):
         raise NppgError("until-success must be from 0 to 1, and needs points of the curve (evaluate-every)")
-    progress = run(domain, bias, chosen, output, options.evaluate_every, options.starts, report, until)
+    least = options.until_return
+    if least is not None and not (math.isfinite(least) and options.evaluate_every):
+        raise NppgError("until-return must be a finite number, and needs points of the curve (evaluate-every)")
+    progress = run(
+        domain, bias, chosen, output, options.evaluate_every, options.starts, report, until, until_return=least
+    )
     if not options.quiet:
         print(f"written to {output}/: {', '.join(progress.written)}")
     return 0
@@ -308,9 +325,10 @@ def _reporter(options: Common) -> Callable[[Progress], None]:
             if progress.ended:
                 bar.close()
         elif point is not None:
+            stochastic, greedy = progress.judged(point)
             print(
-                f"episode {point.episode:5d}  {sizes(progress.policy)}  success {point.success:.4f} "
-                f"(greedy {point.greedy_success:.4f})  {point.seconds:.1f} s",
+                f"episode {point.episode:5d}  {sizes(progress.policy)}  {progress.measure} {stochastic:.4f} "
+                f"(greedy {greedy:.4f})  {point.seconds:.1f} s",
                 flush=True,
             )
 
@@ -321,11 +339,13 @@ def _reproduce(options: argparse.Namespace) -> int:
     from nppg import figures
     from nppg.reproduce import available_cores, do, jobs
 
-    processes = available_cores() if options.jobs is None else options.jobs
-    for name, value in (("runs", options.runs), ("jobs", processes)):
-        at_least(name, value, 1)
     experiment = EXPERIMENTS[options.experiment]
-    wanted = jobs(experiment, options.runs, options.episodes, _parameters(options.set), options.output)
+    processes = available_cores() if options.jobs is None else options.jobs
+    runs = experiment.runs if options.runs is None else options.runs
+    episodes = experiment.episodes if options.episodes is None else options.episodes
+    for name, value in (("runs", runs), ("jobs", processes)):
+        at_least(name, value, 1)
+    wanted = jobs(experiment, runs, episodes, _parameters(options.set), options.output)
     begin, done = time.perf_counter(), 0
     for count, (job, seconds) in enumerate(do(wanted, processes), 1):
         done += seconds > 0
@@ -341,17 +361,12 @@ def _reproduce(options: argparse.Namespace) -> int:
 def _load(options: argparse.Namespace) -> Policy:
     from nppg.policy import Policy
 
-    with warnings.catch_warnings(record=True) as noted:
-        warnings.simplefilter("always")
-        policy = Policy.load(options.model, _parameters(getattr(options, "set", [])))
-    if options.command != "prove":  # which refuses instead
-        for each in noted:
-            print(f"warning: {each.message}", file=sys.stderr)
-    return policy
+    with _warnings_told(options.command != "prove"):  # which refuses instead
+        return Policy.load(options.model, _parameters(getattr(options, "set", [])))
 
 
 def _evaluate(options: argparse.Namespace) -> int:
-    from nppg.evaluation import evaluate, evaluate_exactly
+    from nppg.evaluation import evaluate, evaluate_exactly, merit
     from nppg.model import option
 
     policy = _load(options)
@@ -367,7 +382,8 @@ def _evaluate(options: argparse.Namespace) -> int:
         kind = "greedy" if result.greedy else "stochastic"
         over = f"all {result.starts:,} start states" if result.exact else f"{result.starts:,} sampled start states"
         steps = f"{result.mean_steps:.3f} steps on average"
-        print(f"success of the {kind} policy over {over}: {result.success:.6f} ({steps})")
+        name, value = merit(policy, result)
+        print(f"{name.replace('_', ' ')} of the {kind} policy over {over}: {value:.6f} ({steps})")
     return 0
 
 
@@ -402,26 +418,28 @@ def _prove(options: argparse.Namespace) -> int:
 
 def _distill(options: argparse.Namespace) -> int:
     from nppg.distill import distill
-    from nppg.evaluation import evaluate, evaluate_exactly
+    from nppg.evaluation import evaluate, evaluate_exactly, merit
     from nppg.explain import explained, sentences
 
     at_least("max-rules", options.max_rules, 1)
     policy = _load(options)
     bias = _bias_of(policy, options)
     rules = distill(policy, bias, options.max_rules)
-    exact = policy.domain.uniform_start and policy.domain.has_goal
+    exact = policy.domain.is_countable
     result = evaluate_exactly(rules, greedy=True) if exact else evaluate(rules, seed=1, greedy=True)
+    judged, value = merit(rules, result)
     output = options.output or options.model.with_name("rules.pl")
     beside = Path(bias.file).resolve().parent == output.resolve().parent
     facts = [
         *([("bias", Path(bias.file).name), ("bias_sha256", bias.hash)] if beside else []),
-        *(("success", result.success), ("starts", result.starts), ("exact", int(result.exact))),
+        *((judged, value), ("starts", result.starts), ("exact", int(result.exact))),
     ]
     rules.save(output, facts, [sentences(rules, 1, bias)] if options.explain else ())
     print(*(explained(rules, 1, bias) if options.explain else rules.rules(1)), sep="\n")
     over = "all" if result.exact else "sampled"
     print(
-        f"success of these rules over {over} {result.starts:,} start states: {result.success:.6f}; written to {output}"
+        f"{judged.replace('_', ' ')} of these rules over {over} {result.starts:,} start states: {value:.6f}; "
+        f"written to {output}"
     )
     return 0
 
@@ -460,15 +478,26 @@ def _play(options: argparse.Namespace) -> int:
     policy = _load(options)
     episode = generate_episode(policy, np.random.default_rng(options.seed), greedy=policy.greedy)
     for number, step in enumerate(episode.steps, 1):
-        print(*policy.domain.picture(step.state), "", f"step {number}", sep="\n")
+        print(*policy.domain.picture(step.actual), "", *_seen(policy, step.state), f"step {number}", sep="\n")
         pairs = zip(step.actions, step.potentials if policy.greedy else step.probabilities, strict=True)
         for action, value in sorted(pairs, key=lambda pair: -pair[1]):
             mark = "->" if action is step.actions[step.chosen] else "  "
             print(f"  {mark} {value:6.4f}  {_text(action)}")
         print()
-    print(*policy.domain.picture(episode.last), "", sep="\n")
-    print(f"{'the goal is reached' if episode.success else 'the goal is not reached'} after {len(episode.steps)} steps")
+    print(*policy.domain.picture(episode.actual), "", sep="\n")
+    if policy.domain.has_goal:
+        end = "the goal is reached" if episode.success else "the goal is not reached"
+    else:
+        end = f"the return is {sum(step.reward for step in episode.steps):g}"
+    print(f"{end} after {len(episode.steps)} steps")
     return 0
+
+
+def _seen(policy: Policy, observation: State) -> list[str]:
+    """What the policy sees, where that is not the state."""
+    if not policy.domain.has_observation:
+        return []
+    return ["seen: " + ", ".join(map(_text, observation)), ""]
 
 
 def _text(term: object) -> str:

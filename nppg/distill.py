@@ -16,7 +16,7 @@ import numpy as np
 from nppg.coverage import Coverage, root_table
 from nppg.domain import Action, State
 from nppg.episode import generate_episode
-from nppg.evaluation import ExactEvaluator, evaluate
+from nppg.evaluation import ExactEvaluator, evaluate, merit
 from nppg.gradient import gibbs
 from nppg.language_bias import LanguageBias, TreeLimits
 from nppg.logic import deciding_tests
@@ -67,7 +67,7 @@ class _Judge:
         self.table = table
         self.bias = bias
         domain = policy.domain
-        self.exact = ExactEvaluator(policy) if domain.uniform_start and domain.has_goal else None
+        self.exact = ExactEvaluator(policy) if domain.is_countable else None
         self.shared: ExactEvaluator | None = None
         self._known: dict[tuple[Rule, ...], float] = {}
 
@@ -105,7 +105,7 @@ class _Judge:
         return from_rules(ordered, lambda query, literals: deciding_tests(query, literals, roots))
 
     def success(self, policy: Policy) -> float:
-        """Of the greedy policy."""
+        """Of the greedy policy; its mean return where the domain has no goal."""
         if self.exact and policy.table is self.table:
             if self.shared is None:
                 self.shared = ExactEvaluator(policy, self.exact.space)
@@ -113,7 +113,7 @@ class _Judge:
             return self.shared.of(policy).evaluate(greedy=True).success
         if self.exact:
             return self.exact.of(policy).evaluate(greedy=True).success
-        return evaluate(policy, _EPISODES, greedy=True).success
+        return merit(policy, evaluate(policy, _EPISODES, greedy=True))[1]
 
     def rules_success(self, ordered: list[Rule]) -> float:
         """Of the greedy policy of an ordered list of rules."""

@@ -7,9 +7,9 @@ name and its arguments: `on(a, b)` is `("on", "a", "b")`. docs/domains.md is the
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -36,6 +36,28 @@ class Outcome(NamedTuple):
     state: State
 
 
+def texts(terms: Sequence[Ground]) -> list[str]:
+    """Facts or actions as Prolog writes and reads them: `on(a, 'B c')`."""
+    return ask("texts", list(terms))
+
+
+class World(Protocol):
+    """What an episode needs of a domain, as Domain documents it: nppg.gym_domain has it from an environment of
+    Gymnasium in place of a domain file's predicates."""
+
+    def start(self, rng: np.random.Generator) -> State: ...
+
+    def situation(self, state: State) -> Situation: ...
+
+    def horizon(self, state: State) -> int: ...
+
+    def observe(self, state: State, rng: np.random.Generator) -> State: ...
+
+    def expert_actions(self, state: State) -> list[Action]: ...
+
+    def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]: ...
+
+
 class Domain:
     """An instance of a domain file with its parameters; it has its own module in Prolog until it is dropped.
 
@@ -45,12 +67,12 @@ class Domain:
 
     def __init__(self, name_or_path: str | Path, parameters: Mapping[str, int | float | str] | None = None):
         self.path = locate(name_or_path, "domains", ".pl")
-        given = [[key, value] for key, value in (parameters or {}).items()]
+        self.given = dict(parameters or {})
         try:
             self.source = self.path.read_bytes()
         except OSError as error:
             raise NppgError([Problem(str(self.path), 0, 0, f"cannot be read: {error.strerror}")]) from None
-        self.module, entries = ask("load", str(self.path.resolve()), given)
+        self.module, entries = ask("load", str(self.path.resolve()), [list(each) for each in self.given.items()])
         drop_with(self, "unload", self.module)
         description = dict(entries)
         self.name: str = description["name"]
@@ -63,8 +85,16 @@ class Domain:
         self.has_expert: bool = description["expert"] == "true"
         self.has_goal: bool = description["goal"] == "true"
         self.has_parts: bool = description["parts"] == "true"
+        self.has_observation: bool = description["observation"] == "true"
+        self.environment: str = description["environment"]  # of Gymnasium, which nppg.open_domain opens; or empty
         self._current: State | None = None
         self._situation: list | None = None  # that of the current state, where it is known
+
+    @property
+    def is_countable(self) -> bool:
+        """Whether it is for exact evaluation, if it has few enough states: it declares a uniform start, has a goal, and
+        is seen as it is."""
+        return self.uniform_start and self.has_goal and not self.has_observation
 
     @property
     def hash(self) -> str:
@@ -99,6 +129,15 @@ class Domain:
         """The number of steps after which an episode that starts here ends."""
         self.visit(state)
         return ask("horizon_of", self.module)
+
+    def observe(self, state: State, rng: np.random.Generator) -> State:
+        """What a policy sees in place of the state, a tuple of facts like it: the state itself, unless the domain
+        defines observation/1, which may draw anew each time."""
+        if not self.has_observation:
+            return state
+        self.visit(state)
+        with randomness(rng):
+            return ground(ask("observed", self.module))
 
     def expert_actions(self, state: State) -> list[Action]:
         """What the domain's expert would do, none if it has no advice."""

@@ -29,6 +29,13 @@ class Evaluation:
     mean_return: float | None = None
 
 
+def merit(policy: Policy, result: Evaluation) -> tuple[str, float]:
+    """What the policy is judged by, with its name: its success; the mean return where the domain has no goal."""
+    if policy.domain.has_goal or result.mean_return is None:
+        return "success", result.success
+    return "mean_return", result.mean_return
+
+
 def evaluate(
     policy: Policy, starts: int = 1000, seed: int = 0, greedy: bool = False, horizon_factor: float = 1.0
 ) -> Evaluation:
@@ -81,6 +88,8 @@ class ExactEvaluator:
         space, policy = self.space, self.policy
         if named := policy.named() & space.objects:
             raise NppgError(f"the policy names {sorted(named)}, which the domain declares interchangeable")
+        if policy.table.bounds and any(isinstance(each, int | float) for each in space.objects):
+            raise NppgError(f"the policy compares numbers, and {space.domain.path} declares numbers interchangeable")
         if len(self._row) == 0 or self._answers.shape[1] != policy.width:
             rows = [policy.answers(*pairs) for pairs in zip(space.states, space.actions, strict=True) if pairs[1]]
             self._answers, self._row = _distinct(np.concatenate(rows))

@@ -17,6 +17,18 @@ def returns(rewards: Sequence[float], discount: float) -> np.ndarray:
     return result
 
 
+def advantages(
+    rewards: Sequence[float], values: Sequence[float], last: float, discount: float, trace: float
+) -> np.ndarray:
+    """Generalised advantage estimation (Schulman et al. 2016): A_t = sum_k (discount * trace)^k delta_{t+k} with
+    delta_t = r_t + discount * V(s_{t+1}) - V(s_t), for the `values` V(s_t) and V = `last` behind the last step.
+
+    With trace 1 that is the return, with discounted `last` behind it, minus V(s_t); with trace 0 it is delta_t."""
+    following = [*values, last][1:]
+    deltas = [r + discount * after - before for r, after, before in zip(rewards, following, values, strict=True)]
+    return returns(deltas, discount * trace)
+
+
 def gibbs(potentials: np.ndarray) -> np.ndarray:
     """pi(s, a) = exp Psi(s, a) / sum_b exp Psi(s, b), for the potentials of a state's actions."""
     weights = np.exp(potentials - potentials.max())

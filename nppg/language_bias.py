@@ -144,6 +144,11 @@ class LanguageBias:
         data = _read(path)
         return replace(_Reader(str(path), _text(path, data)).bias(), source=data)
 
+    @classmethod
+    def parse(cls, text: str, file: str) -> LanguageBias:
+        """Reads the text of a bias file; `file` is what it is called. Raises NppgError like `load`."""
+        return replace(_Reader(file, text).bias(), source=text.encode())
+
     def check(self, predicates: Collection[tuple[str, int]], actions: Collection[tuple[str, int]]) -> list[Problem]:
         """What the bias names and the domain does not have; `predicates` and `actions` are pairs of name and arity.
 

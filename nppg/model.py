@@ -22,6 +22,7 @@ from nppg.domain import Domain
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.language_bias import LanguageBias, Template, TreeLimits
 from nppg.logic import deciding_tests
+from nppg.opening import open_domain
 from nppg.options import Options
 from nppg.policy import Policy
 from nppg.prolog import ask, ground
@@ -31,7 +32,12 @@ FORMAT = 1
 
 
 def write(policy: Policy, path: Path, facts: Sequence[tuple] = (), sentences: Sequence[Sequence[str]] = ()) -> None:
-    """Writes the model, and a copy of its domain beside it. Raises NppgError where there are `conflicts`."""
+    """Writes the model, and a copy of its domain beside it, into a folder that is made if need be. Raises NppgError
+    where there are `conflicts`."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise NppgError([Problem(str(path.parent), 0, 0, f"the folder cannot be made: {error.strerror}")]) from None
     copies = {policy.domain.path.name: policy.domain.source}
     if problems := conflicts(path.parent, copies, [path.name]):
         raise NppgError(problems.values())
@@ -149,7 +155,8 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Policy:
     if Path(domain_file).name != domain_file:
         raise _wrong(path, 1, f"the domain stands beside its model: {domain_file} cannot be its file")
     beside = path.parent / domain_file
-    domain = Domain(beside if beside.is_file() else Path(domain_file).stem, {**_parameters(path, known), **parameters})
+    file = beside if beside.is_file() else Path(domain_file).stem
+    domain = open_domain(file, {**_parameters(path, known), **parameters})
     bias = _bias(path, known, domain)
     trees = [
         from_rules(rules, lambda query, literals: deciding_tests(query, literals, len(bias.roots)))

@@ -16,8 +16,14 @@ def at_least(name: str, value: int, low: int) -> None:
 
 
 def option(default: Any, help: str, **bounds: Any) -> Any:
-    """A field of an options class: what it is for, and its bounds `low` and `high` or its `choices`."""
+    """A field of an options class: what it is for, its bounds `low` and `high` or its `choices`, and its `kind` where
+    the default does not show it."""
     return field(default=default, metadata={"help": help, **bounds})
+
+
+def kind_of(option: Field) -> type:
+    """int, float or str."""
+    return option.metadata.get("kind", type(option.default))
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,24 +64,69 @@ class Options(Common):
     )
     regularisation: float = option(0.25, "lambda of a second-order leaf, sum(f) / (sum(h) + lambda)", low=0)
     clip: float = option(3.0, "a second-order leaf lies between -clip and clip", low=0)
-    importance: float = option(
-        0.5,
-        "power of pi(s, a) that weights a visit in second-order steps; in the paper's gradient it is 1",
+    importance: float | None = option(
+        None,
+        "power of pi(s, a) that weights a visit: 1 is the paper's, 0 makes the gradient that of expected returns; left "
+        "out it is 1, in second-order steps 0.5",
+        kind=float,
         low=0,
         high=1,
     )
     replay: int = option(0, "earlier rewarded steps that each tree learns from again, under the present policy", low=0)
     regressor: str = option("tilde", "what fits the trees: TILDE, or CART by scikit-learn", choices=("tilde", "cart"))
-    unrewarded: str = option("keep", "what becomes of steps with return 0: keep, or drop", choices=("keep", "drop"))
+    models: str = option(
+        "one",
+        "one regression tree for all kinds of actions, or one for each kind (for each constant, where the only kind's "
+        "arguments are compared with constants); the same where there is nothing to tell apart",
+        choices=("one", "per-action"),
+    )
+    unrewarded: str = option(
+        "keep", "what becomes of steps with return (advantage) 0: keep, or drop", choices=("keep", "drop")
+    )
+    line_search: int = option(
+        0, "doublings and halvings of the step size that are tried for each tree; 0: it is fixed", low=0, high=20
+    )
+    ratio_clip: float = option(
+        0.2, "of the line search: a step's importance weight counts up to 1 + ratio_clip and from 1 - ratio_clip", low=0
+    )
+    critic: str = option(
+        "none",
+        "what a step is worth: its return, or its advantage over a value function that is learned beside the policy",
+        choices=("none", "value"),
+    )
+    trace: float = option(
+        1.0,
+        "lambda of generalised advantage estimation: 1 return minus value, 0 one step's reward",
+        low=0,
+        high=1,
+    )
+    cut_off: str = option(
+        "end",
+        "what the critic expects behind an episode that its horizon has ended: nothing, where the horizon is part of "
+        "the task, or (bootstrap) the value of its last state",
+        choices=("end", "bootstrap"),
+    )
+    critic_step_size: float = option(0.5, "by which each tree of the value function is multiplied", low=0, high=1)
+    critic_trees: int = option(1, "trees of the value function for one of the policy", low=1)
+    normalise: str = option(
+        "no", "whether what a tree's steps are worth is standardised, to mean 0 and deviation 1", choices=("no", "yes")
+    )
+
+    def __post_init__(self) -> None:
+        super(Options, self).__post_init__()  # without arguments it does not find its class, which has slots
+        if self.importance is None:
+            object.__setattr__(self, "importance", 1.0 if self.step == "gradient" else 0.5)
 
 
 def _problem(option: Field, value: Any) -> str:
     name, bounds = option.name, option.metadata
+    if value is None and option.default is None:
+        return ""
     if "choices" in bounds:
         choices = bounds["choices"]
         return "" if value in choices else f"{name} must be one of {', '.join(choices)}, not {value!r}"
     low, high = bounds["low"], bounds.get("high", sys.float_info.max)
-    whole = isinstance(option.default, int)
+    whole = kind_of(option) is int
     if isinstance(value, bool) or not isinstance(value, int if whole else (int, float)):
         return f"{name} must be a {'whole ' if whole else ''}number, not {value!r}"
     if not low <= value <= high:  # so are NaN and infinity

@@ -87,7 +87,8 @@ class Policy:
         status, actions = self.domain.situation(state)
         if not actions:
             raise NppgError(f"there is no action to choose: the state is a {status} state")
-        return actions[choose(self.distribution(state, actions), rng, greedy or self.greedy)]
+        seen = self.domain.observe(state, rng)
+        return actions[choose(self.distribution(seen, actions), rng, greedy or self.greedy)]
 
     def named(self) -> set[Ground]:
         """The constants that its tests name."""

@@ -57,7 +57,6 @@ def ask(question: str, *args: Any) -> Any:
     Raises NppgError with file and line where the domain's code is at fault, and KeyboardInterrupt where Ctrl-C was
     pressed under `interruptible`, unless it is held back by `undisturbed`.
     """
-    global _interrupted
     while _dropped:
         last, *its_args = _dropped.popleft()
         janus_swi.apply_once("nppg_bridge", "ask", last, its_args)
@@ -65,12 +64,19 @@ def ask(question: str, *args: Any) -> Any:
         done, value = janus_swi.apply_once("nppg_bridge", "ask", question, list(args))
     except janus_swi.PrologError:
         done, value = janus_swi.apply_once("nppg_bridge", "ask", "aborted", [question])
-    if _interrupted and not _undisturbed:
-        _interrupted = False
-        raise KeyboardInterrupt
+    heed_interrupt()
     if not done:
         raise NppgError(_problem(*each) for each in value)
     return value
+
+
+def heed_interrupt() -> None:
+    """Raises KeyboardInterrupt where Ctrl-C was pressed under `interruptible`, unless it is held back. `ask` does so;
+    what asks nothing for long calls it now and then."""
+    global _interrupted
+    if _interrupted and not _undisturbed:
+        _interrupted = False
+        raise KeyboardInterrupt
 
 
 def ground(data: Any) -> Any:

@@ -11,41 +11,25 @@ import functools
 import json
 import os
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import asdict, dataclass
 from multiprocessing import get_context
 from pathlib import Path
-from typing import NamedTuple
-
-import numpy as np
 
 from nppg.domain import Domain
 from nppg.errors import NppgError
-from nppg.experiments import Experiment
+from nppg.experiments import Experiment, Parameters, Variant
 from nppg.language_bias import LanguageBias
 from nppg.learners import LEARNERS
 from nppg.model import file_hash, replacing
 from nppg.options import Common
+from nppg.probes import PROBES
 from nppg.prolog import interruptible
 from nppg.runs import Progress, run
 from nppg.shipped import locate
-from nppg.space import Space
 
-EVERY = 50  # episodes between two tests
 _TESTS = "tests.csv"
-
-
-class Tested(NamedTuple):
-    """A test of one run: of the start states of one minimal length, the share of all, the exact success, how many
-    were drawn, and how many of these succeeded."""
-
-    episode: int
-    length: int
-    share: float
-    exact: float
-    drawn: int
-    succeeded: int
 
 
 @dataclass(frozen=True)
@@ -53,8 +37,9 @@ class Job:
     """One run of an experiment."""
 
     experiment: Experiment
+    variant: Variant
     options: Common
-    parameters: Mapping[str, int | float | str]
+    parameters: Parameters
     folder: Path
 
     def is_finished(self) -> bool:
@@ -81,12 +66,10 @@ class Job:
         sizes = ", ".join(f"{last[name]} {name}" for name in ("trees", "leaves", "instances") if last[name])
         return f"success {last['success']:.4f}, {sizes or 'nothing learned'}"
 
-    def tests(self) -> list[Tested]:
-        """Those of the finished run."""
-        kinds = (int, int, float, float, int, int)
+    def tests(self) -> list[dict[str, float]]:
+        """What the probe has seen in the finished run."""
         with (self.folder / _TESTS).open(newline="") as file:
-            _, *rows = csv.reader(file)
-        return [Tested(*(kind(x) for kind, x in zip(kinds, row, strict=True))) for row in rows]
+            return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
 
     def summary(self) -> dict:
         """What run.json says of the finished run."""
@@ -98,18 +81,17 @@ class Job:
             return list(csv.DictReader(file))
 
 
-def jobs(
-    experiment: Experiment, runs: int, episodes: int, parameters: Mapping[str, int | float | str], output: Path
-) -> list[Job]:
-    """All runs of an experiment, learner by learner."""
+def jobs(experiment: Experiment, runs: int, episodes: int, parameters: Parameters, output: Path) -> list[Job]:
+    """All runs of an experiment, variant by variant; `parameters` come on top of the variant's."""
     return [
         Job(
             experiment,
-            LEARNERS[learner](episodes=episodes, seed=seed),
-            parameters,
-            output / "runs" / f"{learner}-{seed}",
+            variant,
+            LEARNERS[variant.learner](episodes=episodes, seed=seed, **variant.options),  # type: ignore[arg-type]
+            {**variant.parameters, **parameters},
+            output / "runs" / f"{variant.name}-{seed}",
         )
-        for learner in experiment.learners
+        for variant in experiment.variants
         for seed in range(runs)
     ]
 
@@ -150,17 +132,17 @@ def _run(job: Job) -> tuple[str, float]:
 
 
 def _learn(job: Job) -> None:
-    domain, bias, space = _prepared(job.experiment.domain, tuple(sorted(job.parameters.items())))
-    drawn = space.draw(job.experiment.starts, np.random.default_rng(0x74657374))
-    found: list[Tested] = []
+    experiment = job.experiment
+    domain, bias = _prepared(experiment.domain, tuple(sorted(job.parameters.items())))
+    probe = PROBES[experiment.probe](domain, experiment)
+    found: list[dict[str, float]] = []
 
-    def test(progress: Progress) -> None:
-        if progress.point:
-            found.extend(_test(progress, drawn))
+    def look(progress: Progress) -> None:
+        found.extend(probe.seen(progress))
         if progress.ended:
             replacing(job.folder / _TESTS, lambda path: _write(found, path))
 
-    run(domain, bias, job.options, job.folder, EVERY, job.experiment.starts, test, space=space)
+    run(domain, bias, job.options, job.folder, experiment.every, experiment.starts, look, space=probe.space)
 
 
 @functools.cache
@@ -169,31 +151,13 @@ def _domain(name: str, parameters: tuple) -> Domain:
 
 
 @functools.cache
-def _prepared(name: str, parameters: tuple) -> tuple[Domain, LanguageBias, Space]:
-    """What the runs of a process share: the domain, its language bias, its space."""
-    domain = _domain(name, parameters)
-    return domain, LanguageBias.load(locate(name, "language_bias", ".yaml")), Space(domain)
+def _prepared(name: str, parameters: tuple) -> tuple[Domain, LanguageBias]:
+    """What the runs of a process share."""
+    return _domain(name, parameters), LanguageBias.load(locate(name, "language_bias", ".yaml"))
 
 
-def _test(progress: Progress, drawn: np.ndarray) -> Iterator[Tested]:
-    """The policy as it is by now, by the minimal length of the start."""
-    evaluator, point = progress.evaluator, progress.point
-    assert evaluator and point
-    space, episode = evaluator.space, point.episode
-    rng = np.random.default_rng([progress.options.seed, episode])
-    succeeded = evaluator.sample(drawn, rng)
-    success, _ = evaluator.by_class()
-    lengths = np.array(space.horizons)
-    weights = np.array([size / space.starts for size in space.sizes]) * space.running
-    for length in np.unique(lengths[space.running]).tolist():
-        among = weights * (lengths == length)
-        here = lengths[drawn] == length
-        share = float(among.sum())
-        exact = float((among * success).sum() / share)
-        yield Tested(episode, length, share, exact, int(here.sum()), int(succeeded[here].sum()))
-
-
-def _write(tests: list[Tested], path: Path) -> None:
+def _write(rows: list[dict[str, float]], path: Path) -> None:
     with path.open("w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerows([Tested._fields, *tests])
+        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)

@@ -34,8 +34,9 @@ _RECENT = 100  # episodes that `recent` is the mean of
 @dataclass(frozen=True, slots=True)
 class Point:
     """One point of the learning curve. `success` is the stochastic policy's (exact where `exact` is 1), `recent`
-    the share of the last training episodes that reached the goal; `seconds` leaves evaluation out. The value-function
-    learners' policies are greedy where they are evaluated. `leaves` are those of all trees."""
+    the share of the last training episodes that reached the goal, or their mean return (see Progress.measure);
+    `seconds` leaves evaluation out. The value-function learners' policies are greedy where they are evaluated. `leaves`
+    are those of all trees. Returns are undiscounted, of the sampled episodes; none where `exact` is 1."""
 
     episode: int
     trees: int
@@ -47,6 +48,8 @@ class Point:
     exact: int
     leaves: int
     instances: int
+    mean_return: float | None
+    greedy_return: float | None
 
 
 @dataclass
@@ -58,7 +61,7 @@ class Progress:
     judging: Mapping[str, int | float | None] = field(default_factory=dict)  # run's arguments about the curve
     episodes: int = 0
     seconds: float = 0.0
-    outcomes: list[bool] = field(default_factory=list)
+    outcomes: list[float] = field(default_factory=list)  # of each episode: see `measure`
     curve: list[Point] = field(default_factory=list)
     point: Point | None = None
     evaluator: ExactEvaluator | None = None  # that the last point comes from, where it is exact
@@ -66,8 +69,21 @@ class Progress:
     written: list[str] = field(default_factory=list)  # names of the files, at the end
 
     @property
+    def measure(self) -> str:
+        """What episodes are judged by: their success; their return in domains without a goal, and where the run is to
+        end at one."""
+        for_return = self.judging.get("until_return") is not None
+        return "success" if self.policy.domain.has_goal and not for_return else "return"
+
+    def judged(self, point: Point) -> tuple[float, float]:
+        """The measure of a point's stochastic policy and of its greedy one."""
+        if point.mean_return is None or point.greedy_return is None or self.measure == "success":
+            return point.success, point.greedy_success
+        return point.mean_return, point.greedy_return
+
+    @property
     def recent(self) -> float:
-        """Share of the last episodes that reached the goal."""
+        """Mean over the last episodes: the share that reached the goal, or the return."""
         return sum(self.outcomes[-_RECENT:]) / max(len(self.outcomes[-_RECENT:]), 1)
 
 
@@ -81,22 +97,29 @@ def run(
     report: Callable[[Progress], None] = lambda progress: None,
     until_success: float | None = None,
     space: Space | None = None,
+    until_return: float | None = None,
 ) -> Progress:
     """Trains and writes the files into the folder `output`.
 
     Every `evaluate_every` episodes (0: never) the policy is evaluated: exactly where the domain allows it and has
-    few classes of states, else on `starts` sampled starts. With `until_success` the run ends at the first such point
-    where the policy reaches it. `space` is the domain's, where the caller has it already. On KeyboardInterrupt the
-    files are written for what has been learned, then it is raised again; after a mistake of the domain they are written
-    as far as there was none before, so that nothing is lost and nothing overwritten. Raises NppgError, before it
-    starts, where a file that no run wrote stands in the way of a copy of the domain or the bias.
+    few classes of states, else on `starts` sampled starts. With `until_success` or `until_return` the run ends at the
+    first such point where the stochastic policy reaches it; for a return all points are sampled. `space` is the
+    domain's, where the caller has it already. On KeyboardInterrupt the files are written for what has been learned,
+    then it is raised again; after a mistake of the domain they are written as far as there was none before, so that
+    nothing is lost and nothing overwritten. Raises NppgError, before it starts, where a file that no run wrote stands
+    in the way of a copy of the domain or the bias.
     """
     problems = bias.check(domain.predicates, domain.actions)
     problems += conflicts(output, _copies(domain, bias), _FILES).values()
     if problems:
         raise NppgError(problems)
     _make_folder(output)
-    judging = {"evaluate_every": evaluate_every, "starts": starts, "until_success": until_success}
+    judging = {
+        "evaluate_every": evaluate_every,
+        "starts": starts,
+        "until_success": until_success,
+        "until_return": until_return,
+    }
     progress: Progress | None = None
     try:
         clock = time.perf_counter()
@@ -108,8 +131,8 @@ def run(
                 judge = judge or _judge(progress, starts, space)
                 progress.point = _point(progress, *judge())
                 progress.curve.append(progress.point)
-            reached = until_success is not None and progress.point and progress.point.success >= until_success
-            progress.ended = bool(reached) or progress.episodes == options.episodes
+            reached = _reached(progress.point, until_success, until_return)
+            progress.ended = reached or progress.episodes == options.episodes
             report(progress)
             if reached:
                 break
@@ -133,10 +156,20 @@ def _make_folder(output: Path) -> None:
         raise NppgError([Problem(str(output), 0, 0, f"the folder cannot be written to: {error.strerror}")]) from None
 
 
+def _reached(point: Point | None, success: float | None, mean_return: float | None) -> bool:
+    if point is None:
+        return False
+    wanted = ((point.success, success), (point.mean_return, mean_return))
+    return any(least is not None and value is not None and value >= least for value, least in wanted)
+
+
 def _advance(progress: Progress, iteration: Iteration, seconds: float) -> None:
     progress.seconds += seconds
     progress.episodes = iteration.episodes
-    progress.outcomes += [episode.success for episode in iteration.recent]
+    if progress.measure == "success":
+        progress.outcomes += [episode.success for episode in iteration.recent]
+    else:
+        progress.outcomes += [sum(step.reward for step in episode.steps) for episode in iteration.recent]
 
 
 def _is_due(progress: Progress, iteration: Iteration, every: int) -> bool:
@@ -150,7 +183,7 @@ def _is_due(progress: Progress, iteration: Iteration, every: int) -> bool:
 def _judge(progress: Progress, starts: int, space: Space | None) -> Callable[[], tuple[Evaluation, Evaluation]]:
     """How the run's policy is evaluated: the stochastic and the greedy one."""
     policy, seed, factor = progress.policy, progress.options.seed, progress.options.horizon_factor
-    if policy.domain.uniform_start and policy.domain.has_goal:
+    if policy.domain.is_countable and progress.measure == "success":
         try:
             exact = ExactEvaluator(policy, space or Space(policy.domain, _CLASSES))
         except NppgError:
@@ -181,6 +214,8 @@ def _point(progress: Progress, stochastic: Evaluation, greedy: Evaluation) -> Po
         int(stochastic.exact),
         sizes.get("leaves", 0),
         sizes.get("instances", 0),
+        stochastic.mean_return,
+        greedy.mean_return,
     )
 
 
@@ -200,12 +235,12 @@ def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[st
     copies = _copies(domain, bias)
     problems = conflicts(output, copies, _FILES)
     copies = {name: source for name, source in copies.items() if name not in problems}
-    until = progress.judging.get("until_success") is not None
+    until = any(progress.judging.get(name) is not None for name in ("until_success", "until_return"))
     facts = [
         *([("bias", Path(bias.file).name), ("bias_sha256", bias.hash)] if bias.source else []),
         *(("option", ("=", name, value)) for name, value in asdict(options).items()),
         *(("tree", ("=", name, value)) for name, value in asdict(bias.tree).items()),
-        *(("curve", ("=", name, value)) for name, value in progress.judging.items() if until),
+        *(("curve", ("=", name, value)) for name, value in progress.judging.items() if until and value is not None),
         ("trained_episodes", progress.episodes),
     ]
     write_copies(output, copies)
@@ -257,10 +292,13 @@ def _draw(progress: Progress, path: Path) -> bool:
     figure, axes = pyplot.subplots(figsize=(9, 4), layout="constrained")
     episodes = [point.episode for point in progress.curve]
     exact = "exact" if progress.curve[-1].exact else "sampled"
-    axes.plot(episodes, [point.success for point in progress.curve], label=f"stochastic policy, {exact}")
-    axes.plot(episodes, [point.greedy_success for point in progress.curve], label=f"greedy policy, {exact}", alpha=0.6)
+    stochastic, greedy = zip(*map(progress.judged, progress.curve), strict=True)
+    axes.plot(episodes, stochastic, label=f"stochastic policy, {exact}")
+    axes.plot(episodes, greedy, label=f"greedy policy, {exact}", alpha=0.6)
     axes.plot(episodes, [point.recent for point in progress.curve], ":", label="recent training episodes", color="grey")
-    axes.set(xlabel="episodes", ylabel="success", ylim=(-0.02, 1.02), title=_title(progress))
+    axes.set(xlabel="episodes", ylabel=progress.measure, title=_title(progress))
+    if progress.measure == "success":
+        axes.set(ylim=(-0.02, 1.02))
     axes.grid(alpha=0.3)
     axes.legend(loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
     replacing(path, lambda temporary: figure.savefig(temporary, format="png", dpi=120))

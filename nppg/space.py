@@ -39,6 +39,11 @@ class Space:
                 f"{domain.path}: exact evaluation needs a finite space with a uniform start distribution, which the "
                 "domain does not declare (:- uniform_start); evaluate on sampled starts"
             )
+        if domain.has_observation:
+            raise NppgError(
+                f"{domain.path}: exact evaluation is for policies that see states as they are, not what observation/1 "
+                "draws; evaluate on sampled starts"
+            )
         self.domain = domain
         self.limit = limit
         rng = np.random.default_rng(0)

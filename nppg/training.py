@@ -4,20 +4,22 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
-from typing import NamedTuple
+from dataclasses import dataclass
 
 import numpy as np
 
+from nppg.critic import critic
 from nppg.domain import Action, Domain, State
 from nppg.episode import Episode, Step, training_episodes
-from nppg.gradient import functional_gradient, returns, taken_gradient
+from nppg.gradient import functional_gradient, taken_gradient
 from nppg.language_bias import LanguageBias
+from nppg.line_search import step_size
 from nppg.options import Options
 from nppg.policy import Policy
 from nppg.regression import Examples, regressor
 from nppg.tilde import Newton
 from nppg.tree import leaves
+from nppg.visits import Visit, kept, normalised, revisited
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,33 +29,6 @@ class Iteration:
     policy: Policy
     episodes: int
     recent: tuple[Episode, ...]
-
-
-class Visit(NamedTuple):
-    """A step and its return."""
-
-    step: Step
-    value: float
-
-
-def visits(episode: Episode, options: Options) -> list[Visit]:
-    """The steps of an episode that trees learn from. A return of 0 gives neither gradient nor curvature, so a
-    second-order step learns nothing there."""
-    values = returns([step.reward for step in episode.steps], options.discount).tolist()
-    pairs = map(Visit, episode.steps, values)
-    keep = options.unrewarded == "keep" and options.step == "gradient"
-    return [visit for visit in pairs if visit.value != 0 or keep]
-
-
-def revisited(visit: Visit, policy: Policy) -> Visit:
-    """The same step as the present policy would see it."""
-    step = visit.step
-    answers = step.answers
-    if answers.shape[1] != len(policy.table):
-        answers = policy.answers(step.state, step.actions)
-    potentials = policy.potentials_of(answers)
-    probabilities = policy.probabilities_of(potentials)
-    return Visit(replace(step, answers=answers, potentials=potentials, probabilities=probabilities), visit.value)
 
 
 def updated_actions(step: Step, options: Options) -> slice:
@@ -67,8 +42,9 @@ def examples(batch: Sequence[Visit], options: Options) -> Examples:
     states: list[State] = []
     actions: list[Action] = []
     answers, gradients, curvatures = [], [], []
-    importance = options.importance if options.step == "second-order" else 1.0
-    for step, value in batch:
+    importance = options.importance
+    assert importance is not None
+    for step, value, _ in batch:
         updated, probabilities = updated_actions(step, options), step.probabilities
         if options.update == "all":
             gradients.append(functional_gradient(probabilities, step.chosen, value, importance))
@@ -92,7 +68,7 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None) ->
     """Yields after each tree, the first time before the first one. Raises NppgError."""
     options = options or Options()
     rng = np.random.default_rng(options.seed)
-    learner = regressor(domain, bias, options)
+    learner, judge = regressor(domain, bias, options), critic(domain, bias, options)
     policy = Policy(domain, bias, learner.table)
     memory: deque[Visit] = deque(maxlen=options.replay)
     batch: list[Visit] = []
@@ -101,17 +77,19 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None) ->
     yield Iteration(policy, 0, ())
     for count, episode in enumerate(training_episodes(policy, rng, options), 1):
         recent.append(episode)
-        new = visits(episode, options)
-        gathered += sum(len(step.actions[updated_actions(step, options)]) for step, _ in new)
+        new = judge.visits(episode)
+        gathered += sum(len(visit.step.actions[updated_actions(visit.step, options)]) for visit in kept(new, options))
         batch += new
         enough = gathered > options.min_examples
         if count < options.episodes and not (enough and len(recent) >= options.episodes_per_iteration):
             continue
         if enough:
+            learned = normalised(kept(batch, options), options)
             replayed = [revisited(visit, policy) for visit in memory]
-            tree = learner.fit(examples([*replayed, *batch], options))
-            memory.extend(visit for visit in batch if visit.value != 0)
-            size = f"{gathered} examples, {leaves(tree)} leaves"
-            policy.add(tree, options.step_size, f"step size {options.step_size}, {size}")
+            tree = learner.fit(examples([*replayed, *learned], options))
+            eta = step_size(tree, learned, policy, options)
+            memory.extend(visit for visit in learned if visit.value != 0)
+            policy.add(tree, eta, f"step size {eta}, {gathered} examples, {leaves(tree)} leaves")
+            judge.learn(batch)
         yield Iteration(policy, count, tuple(recent))
         batch, recent, gathered = [], [], 0

@@ -97,6 +97,12 @@ binding_of(Module, Name, Arity, Data) :-
     binding(Module, Name, Arity, Values),
     maplist(encode, Values, Data).
 
+%!  observed(+Module, -Data) is det: the facts that are seen of the current state.
+
+observed(Module, Data) :-
+    observation(Module, Facts),
+    encode_all(Facts, Data).
+
 %!  intact(+Module, -Truth) is det: whether the fluents are what the state says, and domain code left them alone.
 
 intact(Module, Truth) :-
@@ -104,6 +110,14 @@ intact(Module, Truth) :-
     ->  Truth = false
     ;   Truth = true
     ).
+
+%!  texts(+Data, -Texts) is det: ground terms as Prolog reads them, whatever the operators: name(arg, ...).
+
+texts(Data, Texts) :-
+    decode_all(Data, Terms),
+    findall(Text,
+            ( member(Term, Terms), format(atom(Text), '~W', [Term, [quoted(true), ignore_ops(true), spacing(next_argument)]]) ),
+            Texts).
 
 horizon_of(Module, Steps) :-
     horizon(Module, Steps).

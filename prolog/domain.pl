@@ -5,6 +5,7 @@
             status/2,            % +Module, -Status              det
             actions/2,           % +Module, -Actions             det
             experts/2,           % +Module, -Actions             det
+            observation/2,       % +Module, -Facts               det
             picture/2,           % +Module, -Lines               det
             parts/2,             % +Module, -Parts               det
             horizon/2,           % +Module, -Steps               det
@@ -37,8 +38,13 @@ of them has a state argument: they see the facts of the current state. docs/doma
 | reward(+Action, -R)               | for the action that led to the current state; default: 1 in a goal state, else 0 |
 | horizon(-N)                       | in a start state: the length after which an episode ends; default 100 |
 | expert(-Action)                   | the actions that an expert would take, by backtracking   |
+| observation(-Facts)               | what is seen in place of the current state's facts, at random if it likes; default: these |
 | picture(-Lines)                   | the current state drawn for people, a list of atoms; default: its facts |
 | parts(-Lists)                     | the parts that two states are compared by, each a list of ground terms; default: the facts |
+
+A file that declares :- environment(Id) is about an environment of Gymnasium, where its dynamics live: of the
+predicates above it has action/1, and expert/1, picture/1 and parts/1 if it wants. Its parameters are the arguments
+that the environment is made with, whether the file declares them or not.
 
 Every load makes an instance, a module of its own, so that one file can be loaded with other parameters
 beside itself.
@@ -62,7 +68,7 @@ expansion((:- Declaration), Module, Name, Expansion) :-
     nonvar(Declaration),
     (   Declaration = module(Name, Exports)
     ->  Expansion = [(:- module(Module, Exports)), (:- nppg_guard:forbid_halt(Module)),
-                     (:- discontiguous([nppg_fluent/1, nppg_interchangeable/1, parameter/2]))]
+                     (:- discontiguous([nppg_fluent/1, nppg_interchangeable/1, nppg_environment/1, parameter/2]))]
     ;   declaration(Declaration, Module, Expansion)
     ).
 expansion(Clause, Module, _, []) :-
@@ -92,6 +98,15 @@ declaration(parameter(Parameter, Default), Module, Clauses) :-
 declaration(parameter(_), _, []) :-
     wrong('a parameter is declared by :- parameter(Name, Default), its default a name or a finite number'-[]).
 declaration(uniform_start, _, [nppg_uniform_start]).
+declaration(environment(Id), Module, Clauses) :-
+    (   \+ ( atom(Id), Id \== '' )
+    ->  wrong('an environment of Gymnasium is declared by its id: :- environment(\'CartPole-v1\')'-[]),
+        Clauses = []
+    ;   environment(Module, Other)
+    ->  wrong('an environment is declared already: ~q'-[Other]),
+        Clauses = []
+    ;   Clauses = [nppg_environment(Id)]
+    ).
 declaration(interchangeable(Spec), _, Clauses) :-
     (   nonvar(Spec), Spec = Name/1, atom(Name)
     ->  Clauses = [nppg_interchangeable(Spec)]
@@ -308,8 +323,20 @@ contract(terminal/0).
 contract(reward/2).
 contract(horizon/1).
 contract(expert/1).
+contract(observation/1).
 contract(picture/1).
 contract(parts/1).
+
+%   Those that an environment of Gymnasium stands for.
+
+dynamics(start/1).
+dynamics(effect/3).
+dynamics(effect/4).
+dynamics(goal/0).
+dynamics(terminal/0).
+dynamics(reward/2).
+dynamics(horizon/1).
+dynamics(observation/1).
 
 defined(Module, Name/Arity) :-
     functor(Head, Name, Arity),
@@ -322,17 +349,33 @@ mistake(Module, File, _, -(File, 1, 0, Message)) :-
     member(Needed-Text, [ start/1  - 'start/1 is missing: start(-Facts) gives a random start state',
                           action/1 - 'action/1 is missing: action(-Action) gives the legal actions' ]),
     \+ defined(Module, Needed),
+    \+ ( environment(Module, _), dynamics(Needed) ),
     Message = Text.
 mistake(Module, File, _, -(File, 1, 0, 'effect/3 is missing: effect(+Action, -Delete, -Add) says what an action changes')) :-
+    \+ environment(Module, _),
     \+ defined(Module, effect/3),
     \+ defined(Module, effect/4).
 mistake(Module, File, _, -(File, 1, 0, 'no fluent is declared: :- fluent on/2 says which facts a state consists of')) :-
     \+ fluent(Module, _).
 mistake(Module, File, _, -(File, 1, 0, 'neither goal/0, terminal/0 nor reward/2 is defined: there is nothing to learn')) :-
+    \+ environment(Module, _),
     \+ defined(Module, goal/0),
     \+ defined(Module, terminal/0),
     \+ defined(Module, reward/2).
+mistake(Module, File, _, -(File, Line, 0, Message)) :-
+    environment(Module, Id),
+    (   dynamics(Name/Arity),
+        defined(Module, Name/Arity),
+        What = Name/Arity,
+        functor(Head, Name, Arity),
+        once(( clause(Module:Head, _, Clause), clause_property(Clause, line_count(Line)) ))
+    ;   declared(Module, nppg_uniform_start),
+        What = uniform_start,
+        Line = 1
+    ),
+    format(atom(Message), '~q has no place in this file: the dynamics are those of the environment ~q', [What, Id]).
 mistake(Module, File, Parameters, -(File, 1, 0, Message, Key, Names)) :-
+    \+ environment(Module, _),
     findall(Name, parameter(Module, Name, _), Names),
     member([Key, _], Parameters),
     \+ memberchk(Key, Names),
@@ -393,6 +436,9 @@ declared(Module, Head) :-
     predicate_property(Module:Head, defined),
     catch(Module:Head, _, fail).
 
+environment(Module, Id) :-
+    declared(Module, nppg_environment(Id)).
+
 fluent(Module, Indicator) :-
     declared(Module, nppg_fluent(Indicator)).
 
@@ -409,7 +455,8 @@ description(Module, _, predicates, Predicates) :-
             ( current_predicate(Module:Name/Arity),
               defined(Module, Name/Arity),
               \+ contract(Name/Arity),
-              \+ memberchk(Name/Arity, [nppg_fluent/1, nppg_uniform_start/0, nppg_interchangeable/1, parameter/2, halt/0, halt/1]) ),
+              \+ memberchk(Name/Arity, [ nppg_fluent/1, nppg_uniform_start/0, nppg_interchangeable/1, nppg_environment/1,
+                                          parameter/2, halt/0, halt/1 ]) ),
             Predicates0),
     sort(Predicates0, Predicates).
 description(Module, _, actions, Actions) :-
@@ -424,10 +471,17 @@ description(Module, _, uniform_start, Uniform) :-
     truth(declared(Module, nppg_uniform_start), Uniform).
 description(Module, _, interchangeable, Names) :-
     findall(Name, declared(Module, nppg_interchangeable(Name/1)), Names).
+description(Module, _, environment, Id) :-
+    (   environment(Module, Found)
+    ->  Id = Found
+    ;   Id = ''
+    ).
 description(Module, _, expert, Expert) :-
     truth(defined(Module, expert/1), Expert).
 description(Module, _, goal, Goal) :-
     truth(defined(Module, goal/0), Goal).
+description(Module, _, observation, Observation) :-
+    truth(defined(Module, observation/1), Observation).
 description(Module, _, parts, Parts) :-
     truth(defined(Module, parts/1), Parts).
 
@@ -442,7 +496,9 @@ truth(Goal, Truth) :-
 %   Draws a start state and makes it current.
 
 start(Module, Facts) :-
-    (   guarded(Module:(start/1), Module:start(Drawn))
+    (   environment(Module, Id)
+    ->  fault(Module:(start/1), 'is a matter of the environment ~q: open the file by nppg.open_domain'-[Id])
+    ;   guarded(Module:(start/1), Module:start(Drawn))
     ->  true
     ;   fault(Module:(start/1), 'failed'-[])
     ),
@@ -545,6 +601,17 @@ experts(Module, Actions) :-
         sort(Found, Actions),
         must_be_actions(Module, expert/1, Actions)
     ;   Actions = []
+    ).
+
+%!  observation(+Module, -Facts) is det.
+%
+%   What is seen of the current state, in a domain that defines observation/1.
+
+observation(Module, Facts) :-
+    (   guarded(Module:(observation/1), Module:observation(Seen))
+    ->  must_be_facts(Module, observation/1, Seen),
+        sort(Seen, Facts)
+    ;   fault(Module:(observation/1), failed-[])
     ).
 
 %!  picture(+Module, -Lines) is det.

@@ -8,6 +8,7 @@ user:term_expansion((:- parameter(Name, Default)), [(:- discontiguous(parameter/
     ( policy:model(parameter, Name=Given) -> Value = Given ; Value = Default ).
 user:term_expansion((:- uniform_start), []).
 user:term_expansion((:- interchangeable(_)), []).
+user:term_expansion((:- environment(_)), []).
 
 % state(Facts) makes a state current; best_action(Action) is an action of the highest potential there.
 state(Facts) :-

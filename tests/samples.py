@@ -3,15 +3,19 @@ more, in Python and without Prolog, for the tests to hold the answers against.""
 
 from __future__ import annotations
 
+import os
+import subprocess
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 from random import Random
 
 import numpy as np
 
+from nppg import prolog_home
 from nppg.domain import Action, Domain, Ground, State
 from nppg.language_bias import LanguageBias
-from nppg.logic import Query, Var
-from nppg.refinement import KIND, Refiner
+from nppg.logic import OPEN, Query, Var
+from nppg.refinement import KIND, Refinement, Refiner
 from nppg.tree import Leaf, Node, Rule, Tree
 
 Values = dict[Var, Ground | None]
@@ -46,8 +50,13 @@ def random_query(refiner: Refiner, steps: int, rng: Random) -> Query:
         about_new = [each for each in candidates if len(each.test) > 1 or _has_new(each.test, refiner.root_count)]
         if not candidates:
             break
-        query += rng.choice(about_new if about_new and rng.random() < 0.6 else candidates).literals
+        query += with_threshold(rng.choice(about_new if about_new and rng.random() < 0.6 else candidates), rng).literals
     return query
+
+
+def with_threshold(refinement: Refinement, rng: Random) -> Refinement:
+    """Closed by a random one, if it is to have one."""
+    return refinement.closed(rng.choice([-4.5, -3.0, -1.5, 0.0, 1.5, 2.0, 3.0])) if refinement.is_open else refinement
 
 
 def _has_new(query: Query, roots: int) -> bool:
@@ -59,7 +68,7 @@ def random_tree(refiner: Refiner, depth: int, rng: Random, query: Query = ()) ->
     if depth == 0 or rng.random() < 0.1 or not candidates:
         return Leaf(rng.gauss(0, 1))
     about_new = [each for each in candidates if _has_new(each.test, refiner.root_count)]
-    chosen = rng.choice(about_new if about_new and rng.random() < 0.6 else candidates)
+    chosen = with_threshold(rng.choice(about_new if about_new and rng.random() < 0.6 else candidates), rng)
     return Node(
         chosen.literals,
         (chosen.test,),
@@ -94,9 +103,9 @@ def relations(state: State) -> Relations:
 
 def root_values(bias: LanguageBias, action: Action, known: Relations) -> tuple[int, Values]:
     """The kind of the action, and the values of the root variables; None for the arguments of other kinds."""
-    name, *args = action
+    name, *args = action if isinstance(action, tuple) else (action,)
     kind = [each.name for each in bias.actions].index(name)
-    (goal,) = known[bias.goal.name]
+    (goal,) = known[bias.goal.name] if bias.goal else [()]
     values = dict.fromkeys(map(Var, range(len(bias.roots))))
     values |= {Var(bias.offsets[kind] + i): each for i, each in enumerate(args)}
     return kind, values | {Var(bias.offsets[-1] + i): each for i, each in enumerate(goal)}
@@ -115,6 +124,10 @@ def holds(query: Query, kind: int, values: Values, known: Relations) -> bool:
             var, value = (left, right) if isinstance(left, Var) else (right, left)
             return holds(rest, kind, values | {var: value}, known)
         return left is not None and left == right and holds(rest, kind, values, known)
+    if name in OPEN:
+        value, limit = (values.get(arg, arg) if isinstance(arg, Var) else arg for arg in args)
+        within = value is not None and (value <= limit if name == "=<" else value >= limit)
+        return within and holds(rest, kind, values, known)
     for row in known.get(name, ()):
         bound = dict(values)
         if all(_matches(arg, value, bound) for arg, value in zip(args, row, strict=True)) and holds(
@@ -150,3 +163,32 @@ def value_of_tree(tree: Tree, bias: LanguageBias, state: State, action: Action) 
     while isinstance(tree, Node):
         tree = tree.yes if all(holds(test, kind, values, known) for test in tree.tests) else tree.no
     return tree.value
+
+
+def term(fact: Ground) -> str:
+    """A flat fact as Prolog reads it."""
+    assert isinstance(fact, tuple)
+    return f"{fact[0]}({', '.join(map(str, fact[1:]))})"
+
+
+def in_plain_prolog(model: Path, states: Sequence[State]) -> list[tuple[str, float]]:
+    """The greedy action and its potential in each state, as Prolog without nppg finds them in a model file."""
+    goals = ", ".join(
+        f"( state([{', '.join(map(term, state))}]), best_action(A{i}), potential(A{i}, P{i}), "
+        f"format('~q ~15e~n', [A{i}, P{i}]) )"
+        for i, state in enumerate(states)
+    )
+    swipl = prolog_home.linked().home
+    assert swipl is not None
+    binaries = [*swipl.glob("bin/*/swipl"), *swipl.parent.parent.glob("bin/swipl"), Path("/usr/bin/swipl")]
+    result = subprocess.run(
+        [next(each for each in binaries if each.exists()), "-g", goals, "-t", "halt", model.name],
+        cwd=model.parent,
+        env={**os.environ, "SWI_HOME_DIR": str(swipl)},
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert not result.stderr, result.stderr
+    lines = [line.rsplit(" ", 1) for line in result.stdout.splitlines()]
+    return [(action, float(potential)) for action, potential in lines]
