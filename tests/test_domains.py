@@ -174,7 +174,7 @@ def test_nothing_is_wrong_with_it(path: Path) -> None:
     assert file
     variants = [] if path.stem == "blocks_world" else sorted(file.parent.glob(f"{path.stem}_*.yaml"))
     for each in (file, *variants):
-        problems, summary = check(lambda: Domain(path), lambda each=each: LanguageBias.load(each))
+        problems, summary = check(lambda: Domain(path), lambda _, each=each: LanguageBias.load(each))
         assert problems == [] and "no mistakes" in summary
 
 
