@@ -11,6 +11,7 @@
 :- parameter(load_limit, 6.0).
 :- parameter(capacity, 16.0).
 :- parameter(step_reward, -0.02).
+:- parameter(charge_reward, -0.25).
 
 % Charging fills the battery up; a rock is dropped at the base only.
 
@@ -75,11 +76,13 @@ remaining(Place, Loaded, Reserve) :-
     cost(Place, charger, Loaded, Back),
     Reserve is Energy - There - Back.
 
-% For each wanted rock that has been brought; the action is drop(Rock) then.
+% One for each wanted rock, when it is dropped. Charging takes long: who charges whenever it is possible never
+% strands and needs no numbers, but it does not pay.
 
 reward(Action, Reward) :-
     parameter(step_reward, Step),
     (   Action = drop(Rock), wanted(Rock) -> Reward is Step + 1
+    ;   Action = charge                   -> parameter(charge_reward, Reward)
     ;   terminal                          -> Reward is Step - 1
     ;   Reward = Step
     ).

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -103,3 +104,11 @@ def test_a_reward_that_draws_has_no_expectation(tmp_path: Path, four_blocks: Dom
     space = Space(Domain(tmp_path / "noisy.pl", {"blocks": 3}))
     with pytest.raises(NppgError, match="reward/2 drew a random number, so what may come of an action cannot be"):
         ReturnEvaluator(space)
+
+
+def test_what_the_page_about_domains_shows(capsys: pytest.CaptureFixture[str]) -> None:
+    page = (Path(__file__).parent.parent / "docs" / "domains.md").read_text(encoding="utf-8")
+    section = page.split("## The best that can be done")[1]
+    program, shown = re.findall(r"```(?:python)?\n(.*?)```", section, re.DOTALL)[:2]
+    exec(program, {})
+    assert capsys.readouterr().out == shown
