@@ -64,6 +64,12 @@ def examples(batch: Sequence[Visit], options: Options) -> Examples:
     )
 
 
+def wanted(trees: int, options: Options) -> float:
+    """More examples than this are gathered for the next tree: min_examples (1 + growth trees)."""
+    assert options.growth is not None
+    return options.min_examples + options.min_examples * options.growth * trees
+
+
 def train(domain: Domain, bias: LanguageBias, options: Options | None = None) -> Iterator[Iteration]:
     """Yields after each tree, the first time before the first one. Raises NppgError."""
     options = options or Options()
@@ -80,7 +86,7 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None) ->
         new = judge.visits(episode)
         gathered += sum(len(visit.step.actions[updated_actions(visit.step, options)]) for visit in kept(new, options))
         batch += new
-        enough = gathered > options.min_examples
+        enough = gathered > wanted(len(policy.trees), options)
         if count < options.episodes and not (enough and len(recent) >= options.episodes_per_iteration):
             continue
         if enough:

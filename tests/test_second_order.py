@@ -197,11 +197,33 @@ def test_the_options_reach_training(four_blocks: Domain, plain_bias) -> None:
         return learned(four_blocks, plain_bias, replace(options, episodes=60, seed=1, min_examples=10)).trees
 
     changes: list[dict] = [{}, {"regularisation": 2.0}, {"clip": 0.5}, {"importance": 0.0}, {"importance": 1.0}]
-    changes += [{"replay": 20}, {"update": "taken"}, {"step": "gradient"}]
+    changes += [{"replay": 20}, {"growth": 0.0}, {"update": "taken"}, {"step": "gradient", "growth": 0.0}]
     trees = [found(replace(SECOND, **change)) for change in changes]
     assert all(trees.count(each) == 1 and each for each in trees)
     assert found(replace(SECOND, unrewarded="drop")) == trees[0]
     assert found(Options(regularisation=2.0, clip=0.5, importance=0.0)) == trees[-1]  # the paper's step has none of it
+
+
+@pytest.mark.parametrize("step", ["gradient", "second-order"])
+@pytest.mark.parametrize("growth", [0.0, 0.1, None])
+def test_a_tree_is_grown_as_soon_as_its_share_of_examples_has_gathered(
+    four_blocks: Domain, plain_bias, step: str, growth: float | None
+) -> None:
+    """The share of the m-th tree, from 0, is min_examples (1 + growth m), and without growth the same for all."""
+    options = Options(episodes=80, step=step, min_examples=30, growth=growth)
+    rate = growth if growth is not None else {"gradient": 0.0, "second-order": 0.04}[step]
+    assert options == replace(options, growth=rate)
+    waited = []
+
+    def gathered(episodes) -> int:
+        steps = [visit.step for each in episodes for visit in visits(each, options)]
+        return sum(len(step.actions) for step in steps)
+
+    for grown, iteration in enumerate(train(four_blocks, plain_bias, options), -1):
+        if grown >= 0 and iteration.episodes < options.episodes:
+            assert gathered(iteration.recent[:-1]) <= 30 + 30 * rate * grown < gathered(iteration.recent)
+            waited.append(len(iteration.recent))
+    assert len(waited) > 5 and max(waited) > 1
 
 
 JOINS = """
