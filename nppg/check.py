@@ -26,7 +26,7 @@ def check(
     """
     domain, problems = _loaded(load_domain)
     bias, more = _loaded(lambda: load_bias(domain))
-    problems += more
+    problems = list(dict.fromkeys([*problems, *more]))  # both may find that there is no such file
     if domain and bias and not problems:
         problems = bias.check(domain.predicates, domain.actions)
         if not problems:

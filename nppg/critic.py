@@ -65,13 +65,14 @@ class ValueFunction:
         return np.concatenate([self.trees.answers(state, [STATE]) for state in states])
 
     def visits(self, episode: Episode) -> list[Visit]:
-        """With generalised advantage estimation. Nothing follows a goal or terminal state; where an episode was cut
-        off by its horizon, the value of its last state stands for the rest."""
+        """With generalised advantage estimation. Nothing follows a goal or terminal state, nor, unless `cut_off` says
+        so, where an episode was cut off by its horizon."""
         if not episode.steps:
             return []
         *values, last = self([*(step.state for step in episode.steps), episode.last]).tolist()
         rewards = [step.reward for step in episode.steps]
-        found = advantages(rewards, values, last if episode.open else 0.0, self.options.discount, self.options.trace)
+        follows = episode.open and self.options.cut_off == "bootstrap"
+        found = advantages(rewards, values, last if follows else 0.0, self.options.discount, self.options.trace)
         return _visits(episode, found, self.trees.domain)
 
     def learn(self, visits: Sequence[Visit]) -> None:

@@ -24,7 +24,7 @@ def advantages(
     delta_t = r_t + discount * V(s_{t+1}) - V(s_t), for the `values` V(s_t) and V = `last` behind the last step.
 
     With trace 1 that is the return, with discounted `last` behind it, minus V(s_t); with trace 0 it is delta_t."""
-    following = [*values[1:], last]
+    following = [*values, last][1:]
     deltas = [r + discount * after - before for r, after, before in zip(rewards, following, values, strict=True)]
     return returns(deltas, discount * trace)
 

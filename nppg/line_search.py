@@ -13,6 +13,8 @@ from nppg.policy import Policy
 from nppg.tree import Tree, tests
 from nppg.visits import Visit, revisited
 
+_TIE = 1e-12  # estimates this near to the best one, relatively, count as equal
+
 
 def step_size(tree: Tree, visits: Sequence[Visit], policy: Policy, options: Options) -> float:
     """The eta by which the tree is to be multiplied when it is added to the policy.
@@ -35,7 +37,9 @@ def step_size(tree: Tree, visits: Sequence[Visit], policy: Policy, options: Opti
     powers = range(-options.line_search, options.line_search + 1)
     tried = [options.step_size, 0.0, *(options.step_size * 2.0**power for power in powers)]
     ratios = [gibbs_of_groups(potentials + eta * climb, starts)[chosen] / old for eta in tried]
-    return max(zip(tried, ratios, strict=True), key=lambda each: estimate(each[1], values, options.ratio_clip))[0]
+    estimates = np.array([estimate(each, values, options.ratio_clip) for each in ratios])
+    best = estimates.max()
+    return tried[int(np.argmax(estimates >= best - _TIE * abs(best)))]
 
 
 def estimate(ratios: np.ndarray, values: np.ndarray, clip: float) -> float:

@@ -107,6 +107,12 @@ class Options(Common):
         low=0,
         high=1,
     )
+    cut_off: str = option(
+        "end",
+        "what the critic expects behind an episode that its horizon has ended: nothing, where the horizon is part of "
+        "the task, or (bootstrap) the value of its last state",
+        choices=("end", "bootstrap"),
+    )
     critic_step_size: float = option(0.5, "by which each tree of the value function is multiplied", low=0, high=1)
     critic_trees: int = option(1, "trees of the value function for one of the policy", low=1)
     normalise: str = option(

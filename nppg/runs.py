@@ -34,7 +34,7 @@ _RECENT = 100  # episodes that `recent` is the mean of
 @dataclass(frozen=True, slots=True)
 class Point:
     """One point of the learning curve. `success` is the stochastic policy's (exact where `exact` is 1), `recent`
-    the share of the last training episodes that reached the goal, or their mean return in domains without a goal;
+    the share of the last training episodes that reached the goal, or their mean return (see Progress.measure);
     `seconds` leaves evaluation out. The value-function learners' policies are greedy where they are evaluated. `leaves`
     are those of all trees. Returns are undiscounted, of the sampled episodes; none where `exact` is 1."""
 
@@ -70,14 +70,15 @@ class Progress:
 
     @property
     def measure(self) -> str:
-        """What episodes are judged by: their success, or, in domains without a goal, their return."""
-        return "success" if self.policy.domain.has_goal else "return"
+        """What episodes are judged by: their success; their return in domains without a goal, and where the run is to
+        end at one."""
+        for_return = self.judging.get("until_return") is not None
+        return "success" if self.policy.domain.has_goal and not for_return else "return"
 
     def judged(self, point: Point) -> tuple[float, float]:
         """The measure of a point's stochastic policy and of its greedy one."""
-        if self.measure == "success":
+        if point.mean_return is None or point.greedy_return is None or self.measure == "success":
             return point.success, point.greedy_success
-        assert point.mean_return is not None and point.greedy_return is not None
         return point.mean_return, point.greedy_return
 
     @property
@@ -182,8 +183,7 @@ def _is_due(progress: Progress, iteration: Iteration, every: int) -> bool:
 def _judge(progress: Progress, starts: int, space: Space | None) -> Callable[[], tuple[Evaluation, Evaluation]]:
     """How the run's policy is evaluated: the stochastic and the greedy one."""
     policy, seed, factor = progress.policy, progress.options.seed, progress.options.horizon_factor
-    for_returns = progress.judging["until_return"] is not None
-    if policy.domain.is_countable and not for_returns:
+    if policy.domain.is_countable and progress.measure == "success":
         try:
             exact = ExactEvaluator(policy, space or Space(policy.domain, _CLASSES))
         except NppgError:

@@ -59,6 +59,13 @@ def delivery_bias() -> LanguageBias:
 
 
 @pytest.fixture(scope="session")
+def chain() -> tuple[Domain, LanguageBias]:
+    """Four cells in a row, with a bound in the language bias."""
+    folder = Path(__file__).parent / "domains"
+    return Domain(folder / "chain.pl"), LanguageBias.load(folder / "chain.yaml")
+
+
+@pytest.fixture(scope="session")
 def space() -> Space:
     """All states of the ten-block world, up to renaming."""
     return Space(Domain("blocks_world"))

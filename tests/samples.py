@@ -3,11 +3,15 @@ more, in Python and without Prolog, for the tests to hold the answers against.""
 
 from __future__ import annotations
 
+import os
+import subprocess
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 from random import Random
 
 import numpy as np
 
+from nppg import prolog_home
 from nppg.domain import Action, Domain, Ground, State
 from nppg.language_bias import LanguageBias
 from nppg.logic import Query, Var
@@ -150,3 +154,32 @@ def value_of_tree(tree: Tree, bias: LanguageBias, state: State, action: Action) 
     while isinstance(tree, Node):
         tree = tree.yes if all(holds(test, kind, values, known) for test in tree.tests) else tree.no
     return tree.value
+
+
+def term(fact: Ground) -> str:
+    """A flat fact as Prolog reads it."""
+    assert isinstance(fact, tuple)
+    return f"{fact[0]}({', '.join(map(str, fact[1:]))})"
+
+
+def in_plain_prolog(model: Path, states: Sequence[State]) -> list[tuple[str, float]]:
+    """The greedy action and its potential in each state, as Prolog without nppg finds them in a model file."""
+    goals = ", ".join(
+        f"( state([{', '.join(map(term, state))}]), best_action(A{i}), potential(A{i}, P{i}), "
+        f"format('~q ~15e~n', [A{i}, P{i}]) )"
+        for i, state in enumerate(states)
+    )
+    swipl = prolog_home.linked().home
+    assert swipl is not None
+    binaries = [*swipl.glob("bin/*/swipl"), *swipl.parent.parent.glob("bin/swipl"), Path("/usr/bin/swipl")]
+    result = subprocess.run(
+        [next(each for each in binaries if each.exists()), "-g", goals, "-t", "halt", model.name],
+        cwd=model.parent,
+        env={**os.environ, "SWI_HOME_DIR": str(swipl)},
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert not result.stderr, result.stderr
+    lines = [line.rsplit(" ", 1) for line in result.stdout.splitlines()]
+    return [(action, float(potential)) for action, potential in lines]

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import os
 import re
-import subprocess
 from pathlib import Path
 from random import Random
 
 import numpy as np
 import pytest
-from samples import pairs, random_query, random_tree, value_of_list, visited
+from samples import in_plain_prolog, pairs, random_query, random_tree, term, value_of_list, visited
 
-from nppg import prolog_home
 from nppg.clauses import from_clause, to_clause
 from nppg.coverage import Coverage
 from nppg.domain import Domain
@@ -198,37 +196,15 @@ def test_a_wrong_head_is_refused(model: Path, old: str, new: str) -> None:
         Policy.load(model)
 
 
-def term(fact) -> str:
-    return f"{fact[0]}({', '.join(map(str, fact[1:]))})"
-
-
 def test_plain_prolog_gives_the_greedy_action(setting, policy: Policy, tmp_path: Path) -> None:
     domain, _, _, _ = setting
     policy.save(tmp_path / "model.pl")
     states = visited(domain, 6)
-    goals = ", ".join(
-        f"( state([{', '.join(map(term, state))}]), best_action(A{i}), potential(A{i}, P{i}), "
-        f"format('~q ~15e~n', [A{i}, P{i}]) )"
-        for i, state in enumerate(states)
-    )
-    swipl = prolog_home.linked().home
-    assert swipl is not None
-    binaries = [*swipl.glob("bin/*/swipl"), *swipl.parent.parent.glob("bin/swipl"), Path("/usr/bin/swipl")]
-    result = subprocess.run(
-        [next(each for each in binaries if each.exists()), "-g", goals, "-t", "halt", "model.pl"],
-        cwd=tmp_path,
-        env={**os.environ, "SWI_HOME_DIR": str(swipl)},
-        capture_output=True,
-        text=True,
-        timeout=60,
-    )
-    assert not result.stderr, result.stderr
-    for state, line in zip(states, result.stdout.splitlines(), strict=True):
-        action, potential = line.rsplit(" ", 1)
+    for state, (action, potential) in zip(states, in_plain_prolog(tmp_path / "model.pl", states), strict=True):
         actions = domain.situation(state).actions
         expected = policy.potentials(state, actions)
         chosen = [term(each).replace(", ", ",") for each in actions].index(action)
-        assert expected[chosen] == expected.max() == pytest.approx(float(potential), rel=1e-14)
+        assert expected[chosen] == expected.max() == pytest.approx(potential, rel=1e-14)
 
 
 def test_parameters_can_be_changed_on_loading(model: Path) -> None:

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nppg.gradient import functional_gradient, gibbs, returns, taken_gradient
+from nppg.gradient import advantages, functional_gradient, gibbs, returns, taken_gradient
 
 potentials = st.lists(st.floats(-8, 8), min_size=1, max_size=8).map(np.array)
 values = st.floats(-10, 10)
@@ -27,6 +27,22 @@ def test_gradients_sum_to_zero_and_match_finite_differences(psi: np.ndarray, dat
         less[b] -= step
         slope = value * (gibbs(more)[chosen] - gibbs(less)[chosen]) / (2 * step)
         assert gradient[b] == pytest.approx(slope, abs=1e-8)
+
+
+@given(potentials, st.data(), values)
+def test_a_baseline_changes_no_expected_gradient(psi: np.ndarray, data, baseline: float) -> None:
+    """The gradients of all actions' advantages add up to the slope of the expected one, and of the expected value. So
+    do those of drawn actions on average, where visits are weighted by the power 0 of pi(s, a); not by its power 1."""
+    worth = np.array(data.draw(st.lists(values, min_size=len(psi), max_size=len(psi))))
+    pi = gibbs(psi)
+    gradient = sum(functional_gradient(pi, a, worth[a] - baseline) for a in range(len(psi)))
+    drawn = sum(pi[a] * functional_gradient(pi, a, worth[a] - baseline, 0.0) for a in range(len(psi)))
+    assert drawn == pytest.approx(gradient, abs=1e-9)
+    step = 1e-5
+    for b, unit in enumerate(np.eye(len(psi))):
+        more, less = gibbs(psi + step * unit), gibbs(psi - step * unit)
+        for own in (worth - baseline, worth):
+            assert gradient[b] == pytest.approx((own @ more - own @ less) / (2 * step), abs=1e-6)
 
 
 @given(potentials, st.data(), values)
@@ -54,3 +70,24 @@ def test_gibbs_is_stable() -> None:
 def test_returns_are_discounted_sums(rewards: list[float], discount: float) -> None:
     expected = [sum(discount**k * r for k, r in enumerate(rewards[t:])) for t in range(len(rewards))]
     assert returns(rewards, discount).tolist() == pytest.approx(expected, abs=1e-9)
+
+
+steps = st.lists(st.tuples(st.floats(-5, 5), st.floats(-5, 5)), max_size=8)
+
+
+@given(steps, st.floats(-5, 5), st.floats(0, 1), st.floats(0, 1))
+def test_advantages_are_sums_of_temporal_differences(drawn, last: float, discount: float, trace: float) -> None:
+    rewards, v = [reward for reward, _ in drawn], [*(value for _, value in drawn), last]
+    deltas = [r + discount * v[t + 1] - v[t] for t, r in enumerate(rewards)]
+    expected = [sum((discount * trace) ** k * d for k, d in enumerate(deltas[t:])) for t in range(len(deltas))]
+    assert advantages(rewards, v[:-1], last, discount, trace).tolist() == pytest.approx(expected, abs=1e-9)
+
+
+@given(steps, st.floats(-5, 5), st.floats(0, 1))
+def test_the_ends_of_the_trace(drawn, last: float, discount: float) -> None:
+    """1: the return, with the discounted value of where the episode was cut off, minus V; 0: one step's difference."""
+    rewards, v = [reward for reward, _ in drawn], [value for _, value in drawn]
+    full = returns([*rewards, last], discount)[:-1] - v
+    assert advantages(rewards, v, last, discount, 1.0).tolist() == pytest.approx(full.tolist(), abs=1e-9)
+    one = np.array(rewards) + discount * np.array([*v[1:], last])[: len(v)] - v
+    assert advantages(rewards, v, last, discount, 0.0).tolist() == pytest.approx(one.tolist(), abs=1e-9)

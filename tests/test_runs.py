@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import signal
 import subprocess
@@ -14,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from nppg import prolog
+from nppg import prolog, training
 from nppg.cli import main
 from nppg.domain import Domain
 from nppg.errors import NppgError
@@ -25,6 +26,7 @@ from nppg.policy import Policy
 from nppg.prolog import interruptible, undisturbed
 from nppg.runs import run
 from nppg.shipped import shipped
+from nppg.training import Iteration
 
 SHIPPED = (shipped("domains") / "blocks_world.pl").read_text()
 MINE = SHIPPED + "% mine\n"
@@ -159,6 +161,49 @@ def test_what_ends_a_run_is_recorded(tmp_path: Path) -> None:
     assert recorded.pop("until_return") is None
     for name, value in recorded.items():
         assert f"model(curve, {name}={value}).\n" in (tmp_path / "model.pl").read_text()
+
+
+def test_returns_where_there_is_no_goal(chain, tmp_path: Path) -> None:
+    """The uniform policy's return is 0.1 on average, and 1.1 less 0.1 a step the best."""
+    domain, bias = chain
+    options = Options(episodes=200, seed=1, guidance=0)
+    progress = run(domain, bias, options, tmp_path, evaluate_every=20, starts=200)
+    assert progress.measure == "return" and progress.policy.trees
+    first, *_, last = progress.curve
+    for point in progress.curve:
+        assert progress.judged(point) == (point.mean_return, point.greedy_return)
+        assert (point.success, point.exact) == (0.0, 0)
+        # each episode that gets there ends in 1 after so many steps, all but the last of -0.1
+        assert point.mean_return <= 1.1 - 0.1 * point.mean_steps + 1e-9
+    assert first.mean_return < 0.4 and last.greedy_return > 0.85
+    assert last.greedy_return == pytest.approx(0.9, abs=0.05)
+    rewards = [[step.reward for step in episode.steps] for it in train_again(chain, options) for episode in it.recent]
+    assert progress.outcomes == [sum(each) for each in rewards]
+    assert progress.recent == pytest.approx(sum(map(sum, rewards[-100:])) / 100)
+    rows = list(csv.DictReader((tmp_path / "curve.csv").open()))
+    assert [float(row["mean_return"]) for row in rows] == [point.mean_return for point in progress.curve]
+    assert (tmp_path / "curve.png").exists()
+
+
+def train_again(chain, options: Options) -> list[Iteration]:
+    return list(training.train(*chain, options))
+
+
+def test_until_return(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Also where success could be evaluated exactly: points are then sampled."""
+    assert train(tmp_path, "blocks_world", "--until-return", "0.3", "--episodes", "4000", "--starts", "40") == 0
+    assert "return 0." in capsys.readouterr().out
+    rows = list(csv.DictReader((tmp_path / "curve.csv").open()))
+    assert len(rows) > 1 and all(row["exact"] == "0" and row["mean_return"] == row["success"] for row in rows)
+    assert [float(row["mean_return"]) >= 0.3 for row in rows] == [False] * (len(rows) - 1) + [True]
+    assert json.loads((tmp_path / "run.json").read_text())["curve"]["until_return"] == 0.3
+    assert "model(curve, until_return=0.3).\n" in (tmp_path / "model.pl").read_text()
+    assert train(tmp_path, "blocks_world") == 0
+    (row, *_) = csv.DictReader((tmp_path / "curve.csv").open())
+    assert row["exact"] == "1" and row["mean_return"] == row["greedy_return"] == ""
+    for wrong in (["nan"], ["inf"], ["1", "--evaluate-every", "0"]):
+        assert train(tmp_path, "blocks_world", "--until-return", *wrong) == 2
+        assert "until-return must be a finite number" in capsys.readouterr().err
 
 
 def test_another_domain_than_the_models_is_noted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -16,6 +16,7 @@ from samples import pairs, truth, visited
 
 import nppg.training
 from nppg.coverage import Coverage
+from nppg.critic import critic
 from nppg.domain import Domain
 from nppg.episode import Step, generate_episode
 from nppg.evaluation import evaluate_exactly
@@ -26,8 +27,9 @@ from nppg.options import Options
 from nppg.policy import Policy
 from nppg.regression import Examples
 from nppg.tilde import Newton, best_step, grow
-from nppg.training import Visit, examples, revisited, train, visits
+from nppg.training import examples, train
 from nppg.tree import Leaf, Tree, leaves
+from nppg.visits import Visit, kept, revisited
 
 SECOND = Options(step="second-order")
 potentials = st.lists(st.floats(-8, 8), min_size=1, max_size=8).map(np.array)
@@ -156,16 +158,17 @@ def test_weighted_gradients_match_finite_differences(psi: np.ndarray, data, valu
 
 def rewarded(domain: Domain, bias, options: Options) -> list[Visit]:
     policy, rng = Policy(domain, bias), np.random.default_rng(0)
-    return [visit for _ in range(40) for visit in visits(generate_episode(policy, rng, 0.3), options)]
+    judge = critic(domain, bias, options)
+    return [visit for _ in range(40) for visit in kept(judge.visits(generate_episode(policy, rng, 0.3)), options)]
 
 
 @pytest.mark.parametrize("importance", [0.0, 0.5, 1.0])
 def test_examples_carry_weighted_gradients_and_curvatures(four_blocks: Domain, plain_bias, importance) -> None:
     """The curvature is the second derivative of value * log pi, but for the sign."""
     options = replace(SECOND, importance=importance)
-    batch = [Visit(step, value) for step, _ in rewarded(four_blocks, plain_bias, options) for value in (1.0, -2.0)]
+    batch = [Visit(step, value) for step, *_ in rewarded(four_blocks, plain_bias, options) for value in (1.0, -2.0)]
     found, start = examples(batch, options), 0
-    for step, value in batch:
+    for step, value, _ in batch:
         own = slice(start, start := start + len(step.actions))
         pi, chosen = step.probabilities, step.chosen
         expected = [value * pi[chosen] ** importance * ((b == chosen) - pi[b]) for b in range(len(pi))]
@@ -178,7 +181,7 @@ def test_examples_carry_weighted_gradients_and_curvatures(four_blocks: Domain, p
             assert found.newton.curvatures[own][b] == pytest.approx(abs(more - less) / (2 * width), abs=1e-9)
     assert start == len(found.targets) > 100
     taken = examples(batch, replace(options, update="taken"))
-    ends = np.cumsum([0] + [len(step.actions) for step, _ in batch[:-1]]) + [step.chosen for step, _ in batch]
+    ends = np.cumsum([0] + [len(step.actions) for step, *_ in batch[:-1]]) + [step.chosen for step, *_ in batch]
     assert taken.newton.curvatures.tolist() == found.newton.curvatures[ends].tolist()
 
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import math
 import os
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -12,21 +14,25 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from nppg.critic import critic
 from nppg.domain import Domain
 from nppg.episode import generate_episode
 from nppg.errors import NppgError
 from nppg.evaluation import evaluate, evaluate_exactly
 from nppg.gradient import functional_gradient
+from nppg.model import option
 from nppg.options import Options
 from nppg.policy import Policy
-from nppg.training import examples, train, visits
+from nppg.training import examples, train
 from nppg.tree import leaves
+from nppg.visits import kept
 
 
-def run(folder: Path, seed: int, bias: str, hash_seed: str) -> bytes:
+def run(folder: Path, seed: int, bias: str, hash_seed: str, *more: str) -> bytes:
     options = f"--set blocks=5 --episodes 60 --quiet --seed {seed} --evaluate-every 0".split()
+    files = ["--bias", bias, "--output", str(folder)]
     subprocess.run(
-        [sys.executable, "-m", "nppg", "train", "blocks_world", *options, "--bias", bias, "--output", str(folder)],
+        [sys.executable, "-m", "nppg", "train", "blocks_world", *options, *files, *more],
         env={**os.environ, "PYTHONHASHSEED": hash_seed, "PYTHONPATH": os.pathsep.join(sys.path)},
         check=True,
         capture_output=True,
@@ -40,6 +46,31 @@ def test_a_seed_reproduces_a_run_byte_for_byte(tmp_path: Path, relational_bias) 
     assert first.count(b"% tree") > 3
     assert run(tmp_path / "b", 1, relational_bias.file, "2") == first
     assert run(tmp_path / "c", 2, relational_bias.file, "1") != first
+
+
+VARIANT = {"critic": "value", "trace": 0.8, "critic_trees": 2, "critic_step_size": 0.3, "normalise": "yes"}
+VARIANT |= {"cut_off": "bootstrap", "line_search": 2, "ratio_clip": 0.4, "models": "per-action", "min_examples": 40}
+
+
+@pytest.mark.parametrize("step", ["gradient", "second-order"])
+def test_so_it_does_with_all_variants(tmp_path: Path, relational_bias, step: str) -> None:
+    """And its files say which they were."""
+    given = [f"--{name.replace('_', '-')}={value}" for name, value in (VARIANT | {"step": step, "replay": 20}).items()]
+    first = run(tmp_path / "a", 1, relational_bias.file, "1", *given)
+    assert first.count(b"% tree") > 3
+    assert run(tmp_path / "b", 1, relational_bias.file, "2", *given) == first
+    assert run(tmp_path / "c", 2, relational_bias.file, "1", *given) != first
+    recorded = json.loads((tmp_path / "a" / "run.json").read_text())["options"]
+    assert VARIANT.items() <= recorded.items()
+    policy = Policy.load(tmp_path / "a" / "model.pl")
+    assert all(option(policy, name, None) == value for name, value in VARIANT.items())
+    sizes = {float(each) for each in re.findall(r"step size ([\d.]+),", first.decode())}
+    assert sizes <= {0.0, 0.25, 0.5, 1.0, 2.0, 4.0} and len(sizes) > 1
+
+
+def test_several_kinds_of_actions_are_learned_by_a_model_for_each(delivery: Domain, delivery_bias) -> None:
+    policy = learned(delivery, delivery_bias, episodes=600, models="per-action")
+    assert evaluate(policy, 200).success > 0.7
 
 
 def learned(domain: Domain, bias, **options) -> Policy:
@@ -158,7 +189,7 @@ def test_the_examples_of_an_episode(four_blocks: Domain, plain_bias, update, unr
     options = Options(update=update, unrewarded=unrewarded, discount=discount)
     kinds = set()
     for episode in episodes(four_blocks, plain_bias, 40, guidance=0.3):
-        learned = visits(episode, options)
+        learned = kept(critic(four_blocks, plain_bias, options).visits(episode), options)
         found = examples(learned, options) if learned else None
         expected = []
         for t, step in enumerate(episode.steps):
@@ -178,11 +209,33 @@ def test_the_examples_of_an_episode(four_blocks: Domain, plain_bias, update, unr
     assert {0.0, 1.0} <= {value for _, value in kinds} and (discount != 0.5 or (True, 0.5) in kinds)
 
 
+def test_so_do_those_of_the_variants(four_blocks: Domain, plain_bias) -> None:
+    base = {"episodes": 80, "seed": 1, "min_examples": 20}
+    value = {"critic": "value", "discount": 0.9}
+    changes: list[dict] = [{}, value, value | {"trace": 0.5}, value | {"critic_step_size": 0.2}]
+    changes += [
+        value | {"cut_off": "bootstrap"},
+        value | {"critic_trees": 3},
+        value | {"normalise": "yes"},
+        {"normalise": "yes"},
+    ]
+    changes += [{"line_search": 1}, {"line_search": 3}, {"line_search": 3, "ratio_clip": 3.0}]
+    found = [learned(four_blocks, plain_bias, **(base | change)).trees for change in changes]
+    assert all(found.count(each) == 1 and each for each in found)
+    without = {"trace": 0.5, "cut_off": "bootstrap", "critic_step_size": 0.2, "critic_trees": 3, "ratio_clip": 3.0}
+    assert learned(four_blocks, plain_bias, **(base | without)).trees == found[0]
+
+
 def test_the_options_reach_training(four_blocks: Domain, plain_bias) -> None:
     """Every option but the numbers of episodes changes what is learned."""
     base = Options(episodes=25, seed=1, min_examples=40)
     changes = [{}, {"step_size": 0.5}, {"discount": 0.7}, {"guidance": 0.6}, {"min_examples": 80}, {"seed": 2}]
-    changes += [{"episodes_per_iteration": 8}, {"horizon_factor": 2.0}, {"update": "taken"}, {"unrewarded": "drop"}]
+    changes += [
+        {"episodes_per_iteration": 8},
+        {"horizon_factor": 2.0},
+        {"update": "taken"},
+        {"unrewarded": "drop"},
+    ]
     found = []
     for change in changes:
         *_, last = train(four_blocks, plain_bias, replace(base, **change))
@@ -212,6 +265,16 @@ def test_the_options_reach_training(four_blocks: Domain, plain_bias) -> None:
         {"horizon_factor": -1.0},
         {"update": "some"},
         {"unrewarded": True},
+        {"models": "two"},
+        {"line_search": -1},
+        {"line_search": 0.5},
+        {"ratio_clip": -0.1},
+        {"critic": "q"},
+        {"trace": 1.1},
+        {"critic_step_size": -1},
+        {"critic_trees": 0},
+        {"cut_off": "on"},
+        {"normalise": True},
     ],
 )
 def test_options_that_cannot_be(wrong: dict) -> None:

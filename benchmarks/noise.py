@@ -1,0 +1,146 @@
+"""What is lost by seeing badly: blocks before a camera that errs, at several noise levels.
+
+python -m benchmarks.noise --output docs/noise
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import platform
+import tempfile
+from pathlib import Path
+from statistics import mean, pstdev
+
+from nppg import Domain, LanguageBias, Options, Policy, evaluate, run
+from nppg.runs import Progress
+from nppg.shipped import locate
+
+_NOISES = (0.0, 0.1, 0.3)
+_OPTIONS = {"step": "second-order", "min_examples": 500}
+_STARTS = 2000  # of the last tests
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--seeds", type=int, default=5, help="seeds 0 to N - 1")
+    parser.add_argument("--episodes", type=int, default=1000)
+    parser.add_argument("--output", type=Path, required=True)
+    chosen = parser.parse_args()
+    chosen.output.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        runs = {
+            noise: [
+                _learn(noise, seed, chosen.episodes, Path(folder, f"{noise}-{seed}")) for seed in range(chosen.seeds)
+            ]
+            for noise in _NOISES
+        }
+        tested = {
+            (noise, under): [
+                _success(Path(folder, f"{noise}-{seed}", "model.pl"), under) for seed in range(chosen.seeds)
+            ]
+            for noise in _NOISES
+            for under in _NOISES
+        }
+    _write_csv(runs, chosen.output / "curves.csv")
+    _draw(runs, chosen.output / "curves.png")
+    _write_summary(runs, tested, chosen, chosen.output / "README.md")
+
+
+def _learn(noise: float, seed: int, episodes: int, folder: Path) -> Progress:
+    domain = Domain("noisy_blocks", {"noise": noise})
+    bias = LanguageBias.load(locate("noisy_blocks", "language_bias", ".yaml"))
+    options = Options(episodes=episodes, seed=seed, **_OPTIONS)  # type: ignore[arg-type]
+    progress = run(domain, bias, options, folder, 100, 500)
+    print(f"noise {noise}, seed {seed}: {progress.curve[-1].success:.3f}, {progress.seconds:.0f} s", flush=True)
+    return progress
+
+
+def _success(model: Path, noise: float) -> float:
+    """Of the greedy policy, under another noise than it may have learned with."""
+    return evaluate(Policy.load(model, {"noise": noise}), _STARTS, greedy=True).success
+
+
+def _write_csv(runs: dict[float, list[Progress]], path: Path) -> None:
+    with path.open("w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["noise", "seed", "episode", "trees", "success", "greedy_success"])
+        writer.writerows(
+            [
+                noise,
+                each.options.seed,
+                point.episode,
+                point.trees,
+                f"{point.success:.4f}",
+                f"{point.greedy_success:.4f}",
+            ]
+            for noise, own in runs.items()
+            for each in own
+            for point in each.curve
+        )
+
+
+def _draw(runs: dict[float, list[Progress]], path: Path) -> None:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import numpy as np
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(figsize=(8, 4.5), layout="constrained")
+    for number, (noise, own) in enumerate(runs.items()):
+        found = np.array([[point.success for point in each.curve] for each in own])
+        episodes = [100 * i for i in range(found.shape[1])]
+        middle, spread = found.mean(axis=0), found.std(axis=0)
+        axes.plot(episodes, middle, color=f"C{number}", label=f"noise {noise:g}")
+        axes.fill_between(episodes, middle - spread, middle + spread, color=f"C{number}", alpha=0.15, linewidth=0)
+    label = f"success: mean and standard deviation of {len(own)} runs"
+    axes.set(xlabel="episodes", ylabel=label, ylim=(-0.02, 1.04))
+    axes.grid(alpha=0.3)
+    axes.legend(loc="lower right", frameon=False)
+    figure.savefig(path, dpi=110)
+    pyplot.close(figure)
+
+
+def _write_summary(
+    runs: dict[float, list[Progress]],
+    tested: dict[tuple[float, float], list[float]],
+    chosen: argparse.Namespace,
+    path: Path,
+) -> None:
+    policy = runs[_NOISES[0]][0].policy
+    rows = [
+        f"| {noise:g} | " + " | ".join(_moments(tested[noise, under]) for under in _NOISES) + " |" for noise in _NOISES
+    ]
+    losses = ", ".join(
+        f"{mean(tested[0.0, 0.0]) - mean(tested[noise, noise]):.3f} at noise {noise:g}" for noise in _NOISES[1:]
+    )
+    options = ", ".join(f"{name} = {value}" for name, value in _OPTIONS.items())
+    lines = [
+        "# What is lost by seeing badly",
+        "",
+        f"`python -m benchmarks.noise --seeds {chosen.seeds} --episodes {chosen.episodes} --output {chosen.output}`",
+        "",
+        f"noisy_blocks.pl with {policy.domain.parameters['blocks']} blocks and "
+        f"{policy.domain.parameters['slack']} step more than the shortest solution takes; {options}; seeds 0 to "
+        f"{chosen.seeds - 1}; Python {platform.python_version()}, {platform.machine()}.",
+        "",
+        "![learning curves](curves.png)",
+        "",
+        f"Success of the greedy policy on {_STARTS} sampled starts, mean ± standard deviation over the runs:",
+        "",
+        "| learned under noise | " + " | ".join(f"tested under {under:g}" for under in _NOISES) + " |",
+        "|---" * (len(_NOISES) + 1) + "|",
+        *rows,
+        "",
+        f"The loss against full observation (noise 0 in learning and test): {losses}.",
+    ]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def _moments(values: list[float]) -> str:
+    return f"{mean(values):.3f} ± {pstdev(values):.3f}"
+
+
+if __name__ == "__main__":
+    main()

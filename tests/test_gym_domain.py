@@ -1,0 +1,347 @@
+"""Environments of Gymnasium as domains: what Gymnasium says is what nppg hears, and nothing but the seed decides."""
+
+from __future__ import annotations
+
+import signal
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from samples import in_plain_prolog, term
+
+from nppg import NppgError, Options, Policy, evaluate, generate_episode, language_bias_of, open_domain, run
+from nppg.cli import main
+from nppg.coverage import table_of
+from nppg.domain import Ground, State
+from nppg.episode import Episode
+from nppg.gym_domain import GymDomain
+from nppg.prolog import interruptible
+
+gymnasium = pytest.importorskip("gymnasium")
+spaces = gymnasium.spaces
+
+TAXI = max(each for each in gymnasium.registry if each.startswith("Taxi-v"))
+IDS = ["CartPole-v1", "Acrobot-v1", "FrozenLake-v1", TAXI]
+SPACES = {
+    "vector": spaces.Box(-9, 9, (2,)),
+    "double": spaces.Box(-9, 9, (3,), np.float64),
+    "picture": spaces.Box(0, 255, (2, 3), np.uint8),
+    "number": spaces.Discrete(5, start=2),
+    "tuple": spaces.Tuple((spaces.Discrete(2), spaces.Discrete(3))),
+}
+
+
+class Told(gymnasium.Env):
+    """Says what it is told to say, and remembers what it is asked to do."""
+
+    metadata = {"render_modes": []}  # noqa: RUF012
+
+    def __init__(self, space: str = "vector", actions: int = 3, first: int = 0, continuous: bool = False):
+        self.observation_space = SPACES[space]
+        self.action_space = spaces.Box(0, 1, (1,)) if continuous else spaces.Discrete(actions, start=first)
+        self.observation: Any = [0.5, -1] if space == "vector" else self.observation_space.sample()
+        self.info: dict = {}
+        self.outcome: tuple = (1.0, False, False)
+        self.taken: list = []
+
+    def reset(self, *, seed: int | None = None, options: dict | None = None) -> tuple:
+        super().reset(seed=seed)
+        return self.observation, self.info
+
+    def step(self, action: int) -> tuple:
+        self.taken.append(action)
+        return self.observation, *self.outcome, self.info
+
+
+gymnasium.register("nppg/Told-v2", Told)
+
+
+def opened(id: str, **parameters: Any) -> GymDomain:
+    domain = open_domain(f"gym:{id}", parameters)
+    assert isinstance(domain, GymDomain)
+    return domain
+
+
+def told(**parameters: Any) -> tuple[GymDomain, Told]:
+    domain = opened("nppg/Told-v2", **parameters)
+    env = domain._made.env.unwrapped
+    assert isinstance(env, Told)
+    return domain, env
+
+
+def started(domain: GymDomain, seed: int = 0) -> State:
+    return domain.start(np.random.default_rng(seed))
+
+
+def values(state: State) -> list[Ground]:
+    assert [fact[:2] for fact in state] == [("obs", i + 1) for i in range(len(state))]  # type: ignore[index]
+    return [fact[2] for fact in state]  # type: ignore[index]
+
+
+def uniform(domain: GymDomain) -> Policy:
+    bias = language_bias_of(domain)
+    return Policy(domain, bias, table_of([], domain, bias))
+
+
+def episode(domain: GymDomain, seed: int, **options: Any) -> Episode:
+    return generate_episode(uniform(domain), np.random.default_rng(seed), **options)
+
+
+def numbers(env: Any, observation: Any) -> list[float | int]:
+    """What stands for an observation."""
+    if env.spec.id == TAXI:
+        return list(env.unwrapped.decode(observation))
+    return [observation] if isinstance(observation, int) else np.asarray(observation, np.float32).tolist()
+
+
+@pytest.mark.parametrize(
+    ("id", "parameters", "limited"),
+    [
+        ("CartPole-v1", {}, False),
+        ("CartPole-v1", {"max_episode_steps": 7}, True),
+        ("Acrobot-v1", {}, True),
+        ("FrozenLake-v1", {}, False),
+        ("FrozenLake-v1", {"is_slippery": False, "map_name": "8x8"}, False),
+        (TAXI, {}, True),
+    ],
+)
+def test_an_episode_is_gymnasiums_own(id: str, parameters: dict, limited: bool) -> None:
+    """Under its seed and actions: observations, masks, rewards, and the end, by the environment or its time limit."""
+    domain, env = opened(id, **parameters), gymnasium.make(id, **parameters)
+    assert domain.horizon(()) == env.spec.max_episode_steps
+    ends = set()
+    for seed in range(4):
+        played = episode(domain, seed)
+        observation, info = env.reset(seed=int(np.random.default_rng(seed).integers(2**31)))
+        terminated = truncated = False
+        for step in played.steps:
+            assert not terminated and not truncated
+            assert values(step.state) == numbers(env, observation)
+            assert list(map(type, values(step.state))) == list(map(type, numbers(env, observation)))
+            legal = np.flatnonzero(info.get("action_mask", np.ones(env.action_space.n)))
+            assert step.actions == [("do", number) for number in legal]
+            observation, reward, terminated, truncated, info = env.step(step.actions[step.chosen][1])  # type: ignore[index]
+            assert step.reward == reward and type(step.reward) is float
+        assert values(played.last) == numbers(env, observation)
+        assert (terminated or truncated) and terminated == (not played.open) and not played.success
+        ends.add(truncated)
+    assert limited in ends
+
+
+def test_masks_keep_illegal_moves_out_of_the_taxi() -> None:
+    seen = {len(step.actions) for seed in range(3) for step in episode(opened(TAXI), seed).steps}
+    assert 6 not in seen and len(seen) > 1
+
+
+@pytest.mark.parametrize("id", IDS)
+def test_a_seed_reproduces_an_evaluation_to_the_bit(id: str) -> None:
+    once, again = (evaluate(uniform(opened(id)), 10, seed=3) for _ in range(2))
+    assert once == again and once.mean_return is not None
+    assert once != evaluate(uniform(opened(id)), 10, seed=4)
+
+
+def test_the_horizon_is_the_only_clock() -> None:
+    domain = opened("Acrobot-v1", max_episode_steps=20)
+    assert [len(episode(domain, 0, horizon_factor=factor).steps) for factor in (0.5, 1, 3)] == [10, 20, 60]
+    assert opened("CartPole-v1").horizon(()) == 500
+    assert told()[0].horizon(()) == 1000
+
+
+def test_an_episode_asks_prolog_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    domain = opened("CartPole-v1")
+    policy = uniform(domain)
+    played = episode(domain, 1)
+
+    def asked(*_: object) -> None:
+        pytest.fail("Prolog is asked")
+
+    for module in ("domain", "coverage", "table"):
+        monkeypatch.setattr(f"nppg.{module}.ask", asked, raising=False)
+    assert generate_episode(policy, np.random.default_rng(1)).last == played.last
+    with pytest.raises(pytest.fail.Exception):
+        domain.picture(played.last)
+
+
+def test_prolog_knows_the_state_that_it_is_asked_about() -> None:
+    domain = opened("CartPole-v1")
+    states = [step.state for step in episode(domain, 2).steps]
+    for state in (*states[:3], states[0]):
+        assert domain.picture(state) == [f"obs({i},{x!r})" for i, x in enumerate(values(state), 1)]
+
+
+@pytest.mark.parametrize(
+    ("space", "observation", "expected"),
+    [
+        ("vector", np.array([0.1, 0.2]), [float(np.float32(0.1)), float(np.float32(0.2))]),
+        ("vector", [1, 2], [1.0, 2.0]),
+        ("double", np.array([1 / 3, 1e-50, -2.0]), [float(np.float32(1 / 3)), 0.0, -2.0]),
+        ("picture", np.arange(6, dtype=np.uint8).reshape(2, 3), [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]),
+        ("number", np.int64(4), [4]),
+    ],
+)
+def test_a_state_is_flat_and_holds_plain_numbers(space: str, observation: Any, expected: list) -> None:
+    domain, env = told(space=space)
+    env.observation = observation
+    found = values(started(domain))
+    assert found == expected and list(map(type, found)) == list(map(type, expected))
+    assert language_bias_of(domain).max_variables == len(expected)
+
+
+def test_actions_are_counted_from_where_the_environment_counts() -> None:
+    domain, env = told(actions=2, first=3)
+    state = started(domain)
+    actions = domain.situation(state).actions
+    assert actions == [("do", 3), ("do", 4)]
+    for action in actions:
+        _, state = domain.act(state, action, np.random.default_rng(0))
+    assert env.taken == [3, 4]
+    for wrong in (("do", 0), ("do", 5), "do"):
+        with pytest.raises(NppgError, match="is no action"):
+            domain.act(state, wrong, np.random.default_rng(0))
+
+
+@pytest.mark.parametrize(
+    ("mask", "legal"),
+    [([1, 0, 1], [0, 2]), (np.array([0, 1, 0], np.int8), [1]), ([0, 0, 0], [0, 1, 2]), ((True, True, True), [0, 1, 2])],
+)
+def test_a_mask_says_what_is_legal_unless_nothing_is(mask: Any, legal: list[int]) -> None:
+    domain, env = told()
+    env.info = {"action_mask": mask}
+    state = started(domain)
+    assert domain.situation(state) == ("running", [("do", number) for number in legal])
+    env.info = {}
+    _, state = domain.act(state, ("do", 1), np.random.default_rng(0))
+    assert len(domain.situation(state).actions) == 3
+
+
+@pytest.mark.parametrize("outcome", [(2.0, True, False), (2.0, False, True)])
+def test_what_the_environment_ends_is_over(outcome: tuple) -> None:
+    """Also where it truncates by itself, without a time limit that Gymnasium knows of."""
+    domain, env = told()
+    state = started(domain)
+    env.outcome = outcome
+    reward, state = domain.act(state, ("do", 0), np.random.default_rng(0))
+    assert (reward, domain.situation(state)) == (2.0, ("terminal", []))
+    with pytest.raises(NppgError, match="has ended"):
+        domain.act(state, ("do", 0), np.random.default_rng(0))
+
+
+def test_an_environment_goes_on_from_where_it_is_alone() -> None:
+    domain = opened("CartPole-v1")
+    first = started(domain)
+    _, second = domain.act(first, ("do", 0), np.random.default_rng(0))
+    for question in (lambda: domain.act(first, ("do", 0), np.random.default_rng(0)), lambda: domain.situation(first)):
+        with pytest.raises(NppgError, match="in another state"):
+            question()
+    same = tuple(tuple(fact) for fact in second)  # type: ignore[arg-type]
+    assert domain.situation(same).status == "running"
+    for unknown in (lambda: domain.neighbours(second), lambda: domain.reward(second, ("do", 0))):
+        with pytest.raises(NppgError, match="gym:CartPole-v1: "):
+            unknown()
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"observation": [np.nan, 1]}, "not finite"),
+        ({"observation": [1, np.inf]}, "not finite"),
+        ({"observation": [1, 2, 3]}, "no array of 2 numbers"),
+        ({"observation": "x"}, "no array of 2 numbers"),
+        ({"outcome": (np.nan, False, False)}, "the reward nan"),
+        ({"outcome": (1, False)}, "step raised ValueError"),
+        ({"info": {"action_mask": [1]}}, "1 entries for 3 actions"),
+    ],
+)
+def test_an_environments_mistakes_are_one_line(change: dict, message: str) -> None:
+    domain, env = told()
+    state = started(domain)
+    vars(env).update(change)
+    with pytest.raises(NppgError, match=message) as caught:
+        domain.act(state, ("do", 0), np.random.default_rng(0))
+    assert str(caught.value).startswith("gym:nppg/Told-v2: ") and "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("parameters", "message"),
+    [({"continuous": True}, "only Discrete actions"), ({"space": "tuple"}, "its observations are Tuple")],
+)
+def test_other_spaces_are_refused(parameters: dict, message: str) -> None:
+    with pytest.raises(NppgError, match=message):
+        told(**parameters)
+
+
+def test_an_interrupt_is_heard_between_two_episodes() -> None:
+    domain = opened("CartPole-v1")
+    policy = uniform(domain)
+    with pytest.raises(KeyboardInterrupt), interruptible():
+        signal.raise_signal(signal.SIGINT)
+        evaluate(policy, 2)
+        pytest.fail("the interrupt is not heard")
+
+
+@pytest.fixture
+def trained(tmp_path: Path) -> Path:
+    domain = opened("FrozenLake-v1", is_slippery=False)
+    run(domain, language_bias_of(domain), Options(30, seed=1, guidance=0), tmp_path, evaluate_every=0)
+    return tmp_path / "model.pl"
+
+
+def test_a_model_opens_its_environment_again(trained: Path) -> None:
+    assert "model(parameter, is_slippery=false)." in trained.read_text()
+    policy = Policy.load(trained)
+    assert isinstance(policy.domain, GymDomain) and policy.trees
+    assert policy.domain._made.id == "FrozenLake-v1"
+    probabilities = policy.domain._made.env.unwrapped.P[0][0]  # type: ignore[attr-defined]
+    assert len(probabilities) == 1, "it is not slippery"
+    changed = Policy.load(trained, {"is_slippery": "true"}).domain
+    assert isinstance(changed, GymDomain)
+    assert len(changed._made.env.unwrapped.P[0][0]) == 3  # type: ignore[attr-defined]
+    once, again = (evaluate(Policy.load(trained), 20) for _ in range(2))
+    assert once == again
+    bias = language_bias_of(policy.domain)
+    assert bias.file == str(trained.with_name("FrozenLake-v1.yaml")) and bias.source
+    assert not policy.domain.generated
+
+
+def test_a_seed_reproduces_a_model_to_the_bit(trained: Path, tmp_path: Path) -> None:
+    domain = opened("FrozenLake-v1", is_slippery="false")
+    run(domain, language_bias_of(domain), Options(30, seed=1, guidance=0), tmp_path / "again", evaluate_every=0)
+    for name in ("model.pl", "FrozenLake-v1.pl", "FrozenLake-v1.yaml"):
+        assert (tmp_path / "again" / name).read_bytes() == (tmp_path / name).read_bytes()
+
+
+def test_the_commands_tell_returns(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """There is no goal to reach."""
+    model, output = str(tmp_path / "model.pl"), str(tmp_path)
+    learn = ["--episodes", "24", "--evaluate-every", "12", "--starts", "3", "--output", output]
+    assert main(["check", "gym:CartPole-v1"]) == 0
+    assert main(["train", "gym:CartPole-v1", "--set", "max_episode_steps=3", *learn]) == 0
+    capsys.readouterr()
+    assert main(["evaluate", model, "--starts", "5"]) == 0
+    told = capsys.readouterr().out
+    assert told.startswith("mean return of the stochastic policy over 5 sampled start states: ")
+    assert main(["play", model]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.startswith("obs(") for line in lines[:4]] == [True] * 4 and "do(1)" in "".join(lines)
+    steps = lines[-1].split()[-2]
+    assert lines[-1] == f"the return is {steps} after {steps} steps"
+    assert main(["distill", model, "--max-rules", "2", "--explain"]) == 0
+    assert "mean return of these rules over sampled 1,000 start states: " in capsys.readouterr().out
+    assert "model(mean_return, " in (tmp_path / "rules.pl").read_text()
+    assert main(["show", str(tmp_path / "rules.pl"), "--explain"]) == 0
+    assert "delta(1, do(_), " in capsys.readouterr().out
+    assert main(["prove", model]) == 2
+
+
+@pytest.mark.parametrize("id", ["CartPole-v1", TAXI])
+def test_plain_prolog_chooses_like_the_policy(id: str, tmp_path: Path) -> None:
+    domain = opened(id)
+    progress = run(domain, language_bias_of(domain), Options(12, seed=0, guidance=0), tmp_path, evaluate_every=0)
+    policy = progress.policy
+    assert policy.trees
+    states = [step.state for step in generate_episode(policy, np.random.default_rng(0)).steps][:5]
+    actions = [("do", number) for number in range(domain._made.env.action_space.n)]  # type: ignore[attr-defined]
+    for state, (action, potential) in zip(states, in_plain_prolog(tmp_path / "model.pl", states), strict=True):
+        expected = policy.potentials(state, actions)
+        assert expected[list(map(term, actions)).index(action)] == expected.max() == pytest.approx(potential, rel=1e-12)
