@@ -1,50 +1,125 @@
-"""The paper's variants, and those beside it, compared on a numeric and on a relational domain.
+"""The paper's variants, and what goes beyond them, on blocks world and corridor: a table in Markdown.
 
-python -m benchmarks.variants --seeds 5
+python -m benchmarks.variants --output docs/variants.md
 """
 
 from __future__ import annotations
 
 import argparse
-from statistics import mean
+import platform
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from statistics import mean, pstdev
 
-from nppg import Domain, LanguageBias, Options, evaluate, train
+import numpy as np
+
+from nppg import Domain, LanguageBias, Options, Policy, evaluate_exactly, train
+from nppg.corridor import Corridor
 from nppg.shipped import locate
 
-WORLDS: dict[str, dict] = {
-    "corridor": {"episodes": 150, "min_examples": 200, "episodes_per_iteration": 5, "step_size": 0.5},
-    "delivery": {"episodes": 600},
+
+@dataclass(frozen=True)
+class World:
+    """Where the variants are compared, with the options that they change, and what is measured in the end."""
+
+    domain: str
+    parameters: dict[str, int]
+    options: dict
+    measure: Callable[[Policy], float]
+    what: str
+
+
+@cache
+def _cells(domain: Domain) -> Corridor:
+    return Corridor(domain, 200)
+
+
+def _corridor_return(policy: Policy) -> float:
+    cells = _cells(policy.domain)
+    right = [policy.distribution((("pos", x),), ["left", "right"])[1] for x in cells.centres.tolist()]
+    return float(cells.values(np.array(right)).mean())
+
+
+WORLDS = (
+    World(
+        "blocks_world",
+        {"blocks": 5},
+        {"episodes": 600},
+        lambda policy: evaluate_exactly(policy).success,
+        "exact success of the stochastic policy over all starts",
+    ),
+    World(
+        "corridor",
+        {},
+        {"episodes": 600, "step_size": 0.7, "episodes_per_iteration": 30, "min_examples": 0, "guidance": 0.0},
+        _corridor_return,
+        "expected return of the stochastic policy from uniform starts",
+    ),
+)
+VARIANTS: dict[str, dict] = {
+    "the paper's: one model, all actions, fixed step, Monte Carlo returns": {},
+    "a regression model for each action (`--models per-action`)": {"models": "per-action"},
+    "only the action taken, divided by its probability (`--update taken`)": {"update": "taken"},
+    "line search (`--line-search 3`)": {"line_search": 3},
+    "actor-critic (`--critic value`)": {"critic": "value"},
+    "actor-critic, `--trace 0.9`": {"critic": "value", "trace": 0.9},
+    "without guidance (`--guidance 0`)": {"guidance": 0.0},
+    "gradient of the expected return (`--importance 0`)": {"importance": 0.0},
+    "gradient of the expected return, actor-critic": {"importance": 0.0, "critic": "value"},
+    "second-order steps (`--step second-order`)": {"step": "second-order"},
+    "second-order steps, actor-critic": {"step": "second-order", "critic": "value"},
 }
-SETTINGS: list[tuple[str, dict]] = [
-    ("as shipped: the paper's", {}),
-    ("`models: per-action`", {"models": "per-action"}),
-    ("`update: taken`", {"update": "taken"}),
-    ("`line_search: 3`", {"line_search": 3}),
-    ("`normalise: yes`", {"normalise": "yes"}),
-    ("`critic: value`", {"critic": "value"}),
-    ("`critic: value`, `cut_off: bootstrap`", {"critic": "value", "cut_off": "bootstrap"}),
-    ("`critic: value`, `trace: 0.9`", {"critic": "value", "trace": 0.9}),
-    ("the same, `normalise: yes`", {"critic": "value", "trace": 0.9, "normalise": "yes"}),
-    ("`step: second-order`", {"step": "second-order"}),
-    ("the same, `critic: value`, `trace: 0.9`", {"step": "second-order", "critic": "value", "trace": 0.9}),
-]
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--seeds", type=int, default=5, help="seeds 0 to N - 1")
-    seeds = parser.parse_args().seeds
-    worlds = [(Domain(each), LanguageBias.load(locate(each, "language_bias", ".yaml"))) for each in WORLDS]
-    columns = [f"{name}, {what}" for name in WORLDS for what in ("return", "worst", "success")]
-    print(f"| setting | {' | '.join(columns)} |", "|---" * (len(columns) + 1) + "|", sep="\n", flush=True)
-    for name, changes in SETTINGS:
+    parser.add_argument("--seeds", type=int, default=10, help="seeds 0 to N - 1")
+    parser.add_argument("--output", type=Path, required=True)
+    chosen = parser.parse_args()
+    begin = time.perf_counter()
+    loaded = [
+        (Domain(each.domain, each.parameters), LanguageBias.load(locate(each.domain, "language_bias", ".yaml")))
+        for each in WORLDS
+    ]
+    rows = []
+    for name, changes in VARIANTS.items():
         cells = []
-        for (domain, bias), base in zip(worlds, WORLDS.values(), strict=True):
-            runs = [list(train(domain, bias, Options(**(base | changes), seed=seed)))[-1] for seed in range(seeds)]
-            found = [evaluate(run.policy, 500, seed=1000) for run in runs]
-            gains = [each.mean_return or 0.0 for each in found]
-            cells += [mean(gains), min(gains), mean(each.success for each in found)]
-        print(f"| {name} | {' | '.join(f'{each:.2f}' for each in cells)} |", flush=True)
+        for world, (domain, bias) in zip(WORLDS, loaded, strict=True):
+            found = []
+            for seed in range(chosen.seeds):
+                *_, last = train(domain, bias, Options(**(world.options | changes), seed=seed))
+                found.append(world.measure(last.policy))
+            cells.append(f"{mean(found):.3f} ± {pstdev(found):.3f}, worst {min(found):.3f}")
+        rows.append(f"| {name} | {' | '.join(cells)} |")
+        print(rows[-1], flush=True)
+    chosen.output.write_text("\n".join([*_head(chosen, time.perf_counter() - begin), *rows]) + "\n")
+
+
+def _head(chosen: argparse.Namespace, seconds: float) -> list[str]:
+    worlds = [
+        f"* {world.domain} ({_settings(world.parameters) or 'as it is'}; {_settings(world.options)}): {world.what}."
+        for world in WORLDS
+    ]
+    return [
+        "# The paper's variants",
+        "",
+        f"`python -m benchmarks.variants --seeds {chosen.seeds} --output {chosen.output}`",
+        "",
+        f"Seeds 0 to {chosen.seeds - 1}; mean ± standard deviation over the seeds. Python {platform.python_version()}, "
+        f"{platform.machine()}, {seconds / 60:.0f} minutes.",
+        "",
+        *worlds,
+        "",
+        f"| variant | {' | '.join(world.domain for world in WORLDS)} |",
+        "|---" * (len(WORLDS) + 1) + "|",
+    ]
+
+
+def _settings(named: dict) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in named.items())
 
 
 if __name__ == "__main__":

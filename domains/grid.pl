@@ -63,7 +63,13 @@ reward(_, R) :- goal -> R = 1 ; terminal -> R = -1 ; parameter(step_reward, R).
 
 horizon(Steps) :- parameter(width, Width), parameter(height, Height), Steps is 4 * (Width + Height).
 
+% The right room has to be two columns wide for a way around the pit.
+
 start([x(X), y(Y)]) :-
+    parameter(width, Width),
+    parameter(height, Height),
+    Width >= 4,
+    Height >= 2,
     findall(X-Y, free(X, Y), Cells),
     random_member(X-Y, Cells).
 

@@ -136,3 +136,26 @@ rock(Sites, First, Rock, Facts, [in(Rock, Site), weight(Rock, Weight)|Rest]) :-
     Weight is Limit * (0.1 + 0.8 * U),
     random(V),
     (   ( Rock == First ; V < 0.5 ) -> Rest = [wanted(Rock)|Facts] ; Rest = Facts ).
+
+% The places in their order along the line with the rocks there, the wanted ones with a star, and the rover.
+
+picture(Lines) :-
+    findall(X-Place, place(Place, X), Places),
+    keysort(Places, Sorted),
+    findall(Line, ( member(X-Place, Sorted), told(X, Place, Line) ), Rows),
+    findall(Name, ( carried(Rock), titled(Rock, Name) ), Names),
+    atomic_list_concat(['carries:'|Names], ' ', Carried),
+    battery(Energy),
+    format(atom(Battery), 'battery: ~1f', [Energy]),
+    append(Rows, [Carried, Battery], Lines).
+
+told(X, Place, Line) :-
+    findall(Name, ( in(Rock, Place), titled(Rock, Name) ), Names),
+    atomic_list_concat(Names, ' ', Rocks),
+    (   at(Place) -> Here = 'R' ; Here = ' ' ),
+    format(atom(Line), '~w~t~1f~7| ~w~t~17|~w', [Here, X, Place, Rocks]).
+
+titled(Rock, Name) :-
+    weight(Rock, Weight),
+    (   wanted(Rock) -> Star = '*' ; Star = '' ),
+    format(atom(Name), '~w~w(~1f)', [Rock, Star, Weight]).

@@ -84,8 +84,8 @@ def from_clause(head: list, body: list[list], value: float, bias: LanguageBias) 
         body = body[1:]
     for name, *args in body:
         if name in OPEN and len(args) == 2:
-            known, limit = args[0] in [*terms], args[1][0] if isinstance(args[1], list) else None
-            if not (known and isinstance(limit, int | float) and abs(limit) <= sys.float_info.max):
+            known = _is_finite(args[0]) or (not isinstance(args[0], list) and args[0] in terms)
+            if not (known and _is_finite(args[1])):
                 raise ValueError(f"a bound is a variable from before, {name} and a finite number")
         elif len(bias.types.get(name, ())) != len(args) or name not in bias.types:
             raise ValueError(f"{name}/{len(args)} is no declared predicate")
@@ -93,3 +93,13 @@ def from_clause(head: list, body: list[list], value: float, bias: LanguageBias) 
     if not abs(value) <= sys.float_info.max:
         raise ValueError("the value of a rule is a finite number")
     return Rule(tuple(query), float(value))
+
+
+def _is_finite(arg: ArgumentData) -> bool:
+    """Whether an argument is a number that can be a threshold, to the bit."""
+    match arg:
+        case [bool()]:
+            return False
+        case [int(number)] | [float(number)]:
+            return abs(number) <= sys.float_info.max and float(number) == number
+    return False

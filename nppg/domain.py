@@ -7,7 +7,7 @@ name and its arguments: `on(a, b)` is `("on", "a", "b")`. docs/domains.md is the
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple, Protocol
 
@@ -34,6 +34,11 @@ class Outcome(NamedTuple):
 
     probability: float
     state: State
+
+
+def texts(terms: Sequence[Ground]) -> list[str]:
+    """Facts or actions as Prolog writes and reads them: `on(a, 'B c')`."""
+    return ask("texts", list(terms))
 
 
 class World(Protocol):

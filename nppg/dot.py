@@ -7,7 +7,7 @@ from itertools import count
 
 from nppg.language_bias import LanguageBias, written
 from nppg.logic import OPEN, Literal, Var
-from nppg.refinement import KIND
+from nppg.refinement import KIND, is_open
 from nppg.tree import Leaf, Tree
 
 
@@ -42,12 +42,12 @@ def _templates(bias: LanguageBias) -> list[Literal]:
 
 
 def literal_text(literal: Literal, bias: LanguageBias) -> str:
-    """A literal with its variables named by letters, root variables first: A, B, ..."""
+    """A literal with its variables named by letters, root variables first: A, B, ...; # is a threshold yet open."""
     args = [_letter(arg.index) if isinstance(arg, Var) else written(arg) for arg in literal.args]
     if literal.name == KIND:
         return f"action is {bias.actions[int(args[0])].name}"
     if literal.name == "=" or literal.name in OPEN:
-        return f"{args[0]} {literal.name} {args[1]}"
+        return f"{args[0]} {literal.name} {'#' if is_open(literal) else args[1]}"
     return f"{written(literal.name)}({', '.join(args)})" if args else written(literal.name)
 
 

@@ -13,7 +13,7 @@ from nppg.errors import NppgError, Problem
 from nppg.options import Common
 from nppg.policy import Policy, choose
 
-_IDLE = 1000  # episodes in a row without a step, after which there is nothing to wait for
+IDLE = 1000  # episodes in a row without a step, after which there is nothing to wait for
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +89,7 @@ def training_episodes(policy: Policy, rng: np.random.Generator, options: Common)
     for _ in range(options.episodes):
         episode = generate_episode(policy, rng, options.guidance, options.horizon_factor)
         idle = 0 if episode.steps else idle + 1
-        if idle == _IDLE:
+        if idle == IDLE:
             message = f"{idle} episodes took no step: their starts were goal or terminal states, or the horizon 0"
             raise NppgError([Problem(str(policy.domain.path), 0, 0, message)])
         yield episode

@@ -88,6 +88,8 @@ class ExactEvaluator:
         space, policy = self.space, self.policy
         if named := policy.named() & space.objects:
             raise NppgError(f"the policy names {sorted(named)}, which the domain declares interchangeable")
+        if policy.table.bounds and any(isinstance(each, int | float) for each in space.objects):
+            raise NppgError(f"the policy compares numbers, and {space.domain.path} declares numbers interchangeable")
         if len(self._row) == 0 or self._answers.shape[1] != policy.width:
             rows = [policy.answers(*pairs) for pairs in zip(space.states, space.actions, strict=True) if pairs[1]]
             self._answers, self._row = _distinct(np.concatenate(rows))

@@ -1,7 +1,7 @@
 """Tests that can be read off the facts of a state, without asking Prolog.
 
 They are about the kind of an action, about its arguments alone, or about one fluent, whose facts are the state's own:
-`obs(2, X), X =< 0.31`. The answers are those that Prolog gives.
+`obs(2, X), X =< 0.31`. A fluent may have several bounds. The answers are those that Prolog gives.
 """
 
 from __future__ import annotations
@@ -25,29 +25,31 @@ Roots = dict[int, Ground]  # what root variables are bound to
 Shape = tuple[str, int, tuple[int, ...]]  # of a literal: name, arity, and the places of what is bound before
 Facts = dict[tuple, list[tuple]]  # the arguments of a state's facts, by shape and what stands in its places
 Reader = Callable[[Facts, Roots], float]
+Least = Callable[[Sequence[tuple]], float]
 
 
 def suffices(tests: Iterable[Query], domain: Domain, bias: LanguageBias) -> bool:
     """Whether a FactTable can answer these tests and whatever refinements of them the bias allows."""
     fresh = {arg.type for mode in bias.modes for arg in mode.args if "-" in arg.kind}
     met = [
-        (mode.name, type_)
+        mode.name
         for mode in bias.modes
         for arg in mode.args
         for type_ in fresh
         if "+" in arg.kind and bias.fits(type_, arg.type)
     ]
-    apart = all(name in OPEN for name, _ in met) and len({name for name, _ in met}) < 2
+    apart = all(name in OPEN for name in met)
     return bias.goal is None and apart and all(_is_readable(test, domain, bias) for test in tests)
 
 
 def _is_readable(test: Query, domain: Domain, bias: LanguageBias) -> bool:
     own = [each for each in test if each.name not in OPEN]
     existential = [arg for each in own for arg in each.args if isinstance(arg, Var) and arg.index >= len(bias.roots)]
+    bounded = [each.args[0] for each in test if each.name in OPEN]
     return (
-        len(own) <= 1
-        and len(test) - len(own) <= 1
+        len(own) + (not own) * len(bounded) == 1
         and len(set(existential)) == len(existential)
+        and (not own or set(bounded) <= set(existential))
         and all(each.name in (KIND, "=") or (each.name, len(each.args)) in domain.fluents for each in own)
     )
 
@@ -58,7 +60,7 @@ class FactTable(Table):
     def __init__(self, domain: Domain, bias: LanguageBias):
         super().__init__(domain, bias)
         self._shapes: dict[tuple[str, int], list[Shape]] = {}  # by name and arity
-        self._of_state: dict[tuple, list[tuple[int, int | None, float]]] = {}  # by key: column, place of a number, sign
+        self._of_state: dict[tuple, list[tuple[int, Least]]] = {}  # by key: columns, and how they are read
         self._unmet: dict[int, float] = {}  # columns that hang on the state alone, with the answer where nothing holds
         self._readers: dict[str, list[tuple[int, Reader]]] = {"action": [], "both": []}
         self._known: dict[tuple[Action, ...], np.ndarray] = {}  # answers that hang on the actions alone
@@ -67,47 +69,62 @@ class FactTable(Table):
         self._known.clear()
         for column in columns:
             test = self.tests[column]
-            bound = next(filter(is_open, test), None)
-            literal = next((each for each in test if each is not bound), None)
+            bounds = [each for each in test if each.name in OPEN]
+            literal = next((each for each in test if each not in bounds), None)
             if literal is None or literal.name in (KIND, "="):
-                reader = partial(self._of_action, literal, bound)
+                reader = partial(self._of_action, test[0])
                 self._readers["action"].append((column, reader))
                 continue
             places = [i for i, arg in enumerate(literal.args) if not self._is_existential(arg)]
             shape = (literal.name, len(literal.args), tuple(places))
             known = self._shapes.setdefault(shape[:2], [])
             known += [] if shape in known else [shape]
+            least = self._least(literal, bounds)
             if any(isinstance(literal.args[i], Var) for i in places):
-                self._readers["both"].append((column, partial(self._of_fluent, shape, literal, bound)))
+                self._readers["both"].append((column, partial(self._of_fluent, shape, literal, least)))
                 continue
-            place, sign = (literal.args.index(bound.args[0]), _sign(bound)) if bound else (None, 1.0)
-            self._of_state.setdefault(_key(shape, literal.args), []).append((column, place, sign))
-            self._unmet[column] = np.inf if bound else 1.0
+            self._of_state.setdefault(_key(shape, literal.args), []).append((column, least))
+            self._unmet[column] = least(())
 
     def _is_existential(self, term: Term) -> bool:
         return isinstance(term, Var) and term.index >= len(self.bias.roots)
 
-    def _of_action(self, literal: Literal | None, bound: Literal | None, _: Facts, roots: Roots) -> float:
-        if bound is not None:
-            value = _value(bound.args[0], roots)
-            return np.inf if value is None else _sign(bound) * self._number(value)
-        assert literal is not None
+    def _of_action(self, literal: Literal, _: Facts, roots: Roots) -> float:
+        if literal.name in OPEN:
+            value = _value(literal.args[0], roots)
+            return np.inf if value is None else _sign(literal) * self._number(value, "action/1")
         if literal.name == KIND:
             return float(roots[_KIND] != literal.args[0])
         left, right = (_value(arg, roots) for arg in literal.args)
         return float(left is None or right is None or _exact(left) != _exact(right))
 
-    def _of_fluent(self, shape: Shape, literal: Literal, bound: Literal | None, facts: Facts, roots: Roots) -> float:
-        found = facts.get(_key(shape, [_value(arg, roots) for arg in literal.args]), ())
-        if bound is None:
-            return float(not found)
-        place = literal.args.index(bound.args[0])
-        return min([_sign(bound) * self._number(args[place]) for args in found], default=np.inf)
+    def _of_fluent(self, shape: Shape, literal: Literal, least: Least, facts: Facts, roots: Roots) -> float:
+        return least(facts.get(_key(shape, [_value(arg, roots) for arg in literal.args]), ()))
 
-    def _number(self, value: Ground) -> float:
-        if isinstance(value, int | float):
-            return float(value)
-        message = f"the language bias compares {value} with a threshold, which is no number"
+    def _least(self, literal: Literal, bounds: Sequence[Literal]) -> Least:
+        """What the facts that match a literal answer: the least number among those within the closed bounds."""
+        source = f"{literal.name}/{len(literal.args)}"
+        places = [(literal.args.index(each.args[0]), _sign(each), each) for each in bounds]
+        closed = [(place, sign, sign * float(each.args[1])) for place, sign, each in places if not is_open(each)]  # type: ignore[arg-type]
+        measured = next(((place, sign) for place, sign, each in places if is_open(each)), None)
+
+        def least(found: Sequence[tuple]) -> float:
+            for place, sign, limit in closed:
+                found = [args for args in found if sign * self._number(args[place], source) <= limit]
+            if measured is None:
+                return 0.0 if found else 1.0
+            place, sign = measured
+            return min([sign * self._number(args[place], source) for args in found], default=np.inf)
+
+        return least
+
+    def _number(self, value: Ground, source: str) -> float:
+        if isinstance(value, int | float) and not isinstance(value, bool) and value == value:
+            try:
+                return float(value)
+            except OverflowError:
+                return np.inf if value > 0 else -np.inf
+        message = f"{source} gave {value}, which is compared with a threshold and is no number"
         raise NppgError([Problem(str(self.domain.path), 0, 0, message)])
 
     def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
@@ -123,8 +140,8 @@ class FactTable(Table):
     def _about_state(self, facts: Facts) -> list[float]:
         found = dict(self._unmet)
         for key, all_args in facts.items():
-            for column, place, sign in self._of_state.get(key, ()):
-                found[column] = 0.0 if place is None else min([sign * self._number(args[place]) for args in all_args])
+            for column, least in self._of_state.get(key, ()):
+                found[column] = least(all_args)
         return list(found.values())
 
     def _by_shape(self, state: State) -> Facts:

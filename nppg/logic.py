@@ -201,14 +201,16 @@ def opened(test: Query) -> tuple[Query, float]:
     """What decides a test, and its limit: the test holds exactly if the value of what decides it is at most the limit.
 
     That of a test without a bound is 0 where it holds, else 1. That of a test with `X =< c` is the least X for which
-    its other literals hold, of one with `X >= c` the least -X; infinity where there is none. The first bound counts."""
-    for i, (name, args) in enumerate(test):
-        if name in OPEN:
-            limit = args[1]
-            assert isinstance(limit, int | float)
-            open_test = (*test[:i], Literal(name, (args[0], OPEN[name])), *test[i + 1 :])
-            return open_test, float(limit if name == "=<" else -limit)
-    return test, 0.5
+    its other literals hold, of one with `X >= c` the least -X; infinity where there is none. Of several bounds an open
+    one counts, else the first."""
+    bounds = [i for i, each in enumerate(test) if each.name in OPEN]
+    if not bounds:
+        return test, 0.5
+    i = min(bounds, key=lambda i: test[i].args[1] != OPEN[test[i].name])
+    name, (term, limit) = test[i]
+    assert isinstance(limit, int | float)
+    open_test = (*test[:i], Literal(name, (term, OPEN[name])), *test[i + 1 :])
+    return open_test, float(limit if name == "=<" else -limit)
 
 
 def deciding_tests(query: Query, literals: Query, roots: int) -> tuple[Query, ...]:

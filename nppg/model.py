@@ -32,7 +32,12 @@ FORMAT = 1
 
 
 def write(policy: Policy, path: Path, facts: Sequence[tuple] = (), sentences: Sequence[Sequence[str]] = ()) -> None:
-    """Writes the model, and a copy of its domain beside it. Raises NppgError where there are `conflicts`."""
+    """Writes the model, and a copy of its domain beside it, into a folder that is made if need be. Raises NppgError
+    where there are `conflicts`."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise NppgError([Problem(str(path.parent), 0, 0, f"the folder cannot be made: {error.strerror}")]) from None
     copies = {policy.domain.path.name: policy.domain.source}
     if problems := conflicts(path.parent, copies, [path.name]):
         raise NppgError(problems.values())

@@ -36,8 +36,8 @@ class Refinement:
     """One candidate test of a node.
 
     Where the node's query holds, `literals` extend it to a query that holds exactly if `test` does: the
-    component that they are part of, in normal form and the same tuple whatever the order in which its literals were
-    added. `prefix` is that component without them.
+    component that they are part of, in normal form and, but for thresholds, the same tuple whatever the order in which
+    its literals were added. `prefix` is that component without them.
     """
 
     literals: Query
@@ -57,7 +57,7 @@ class Refinement:
 def closed(query: Query, limit: float) -> Query:
     """A query with the threshold that makes its limit this one in place of OPEN; see logic.opened."""
     return tuple(
-        Literal(each.name, (each.args[0], limit if each.name == "=<" else -limit)) if is_open(each) else each
+        Literal(each.name, (each.args[0], limit if each.name == "=<" else 0.0 - limit)) if is_open(each) else each
         for each in query
     )
 
@@ -65,6 +65,10 @@ def closed(query: Query, limit: float) -> Query:
 def is_open(literal: Literal) -> bool:
     """Whether it is a bound whose threshold is still to be found."""
     return literal.name in OPEN and literal.args[1] == OPEN[literal.name]
+
+
+def _is_closed(literal: Literal) -> bool:
+    return literal.name in OPEN and not is_open(literal)
 
 
 class Refiner:
@@ -227,9 +231,11 @@ def _ranked(core: Query) -> tuple[Query, list[float]]:
 
 def _unranked(refinement: Refinement, thresholds: list[float]) -> Refinement:
     def restored(query: Query) -> Query:
+        if not any(map(_is_closed, query)):
+            return query
         return tuple(
             Literal(each.name, (each.args[0], thresholds[each.args[1]]))  # type: ignore[index]
-            if each.name in OPEN and not is_open(each)
+            if _is_closed(each)
             else each
             for each in query
         )

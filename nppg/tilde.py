@@ -6,6 +6,7 @@ Usable on its own: `fit(examples, domain, bias)` grows a tree from states and ac
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -130,7 +131,8 @@ class _Splits:
         self._candidates, self._last = np.nonzero(cuts)  # of each split, and the position of the last covered example
         low, high = ordered[self._last, self._candidates], ordered[self._last + 1, self._candidates]
         middle = low / 2 + high / 2
-        self._limits = np.where((middle < high) & np.isfinite(middle), middle, low)
+        limits = np.where((middle < high) & np.isfinite(middle), middle, low)
+        self._limits = np.maximum(limits, -sys.float_info.max)  # a threshold is finite
 
     def sums(self, weights: np.ndarray) -> np.ndarray:
         """For each split the sum of the weights, shape (examples,), of the examples that it covers."""

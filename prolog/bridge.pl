@@ -111,6 +111,14 @@ intact(Module, Truth) :-
     ;   Truth = true
     ).
 
+%!  texts(+Data, -Texts) is det: ground terms as Prolog reads them, whatever the operators: name(arg, ...).
+
+texts(Data, Texts) :-
+    decode_all(Data, Terms),
+    findall(Text,
+            ( member(Term, Terms), format(atom(Text), '~W', [Term, [quoted(true), ignore_ops(true), spacing(next_argument)]]) ),
+            Texts).
+
 horizon_of(Module, Steps) :-
     horizon(Module, Steps).
 

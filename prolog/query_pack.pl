@@ -7,8 +7,8 @@
             coverage/4           % +Table, +Packs, +Examples, -Words          det
           ]).
 
-:- use_module(library(apply), [exclude/3, foldl/4, maplist/4]).
-:- use_module(library(lists), [append/2, append/3, member/2, memberchk/2, nth0/3]).
+:- use_module(library(apply), [exclude/3, foldl/4, maplist/3, maplist/4]).
+:- use_module(library(lists), [append/2, append/3, last/2, member/2, memberchk/2, nth0/3]).
 :- use_module(domain).
 :- use_module(guard).
 :- use_module(interpretation).
@@ -94,12 +94,13 @@ add_arity([_, Arity], Sum0, Sum) :-
 %
 %   Compiles the tests of a group, which replace those it had. Group is [Number, Positions]: the positions of
 %   the root variables that it is about. Words is a list of lists of at most 60 tests, a test a list of
-%   literals as data, or of measures [measure, Test], the bound first in Test. Groups are numbered from 0, and new ones come behind the others. Where a group is about all
-%   arguments of the action, no other action has its answers: its words have `all` in place of the positions.
+%   literals as data, or of measures [measure, Test], the bound first in Test. Groups are numbered from 0, and new ones come
+%   behind the others. Where a group is about all arguments of the action, no other action has its answers: its words
+%   have `all` in place of the positions.
 
 set_tests(Table, Kind, [Number, Positions], Words) :-
     root_count(Table, Count),
-    Key is (Kind*1000 + Number)*1000,
+    Key is (Kind*1 000 000 + Number)*1 000 000,
     foldl(set_word(Table, Count), Words, Key, End),
     (   retract(words(Table, Kind, Old))
     ->  true
@@ -148,23 +149,45 @@ measure(Table, Roots, Test, Key, Value, Goal) :-
 
 %!  least(+Numbers, +Name, -Least) is det.
 %
-%   The least number, or the least of the negated numbers for the bound >=, as a float; infinity if there is none.
+%   The least number, or the least of the negated numbers for the bound >=, as a float; infinity if there is none, or
+%   if it is too large for a float.
 
-least([], _, Least) :-
-    Least is inf.
-least([Number|Numbers], Name, Least) :-
-    negated(Name, Number, First),
-    foldl(lesser(Name), Numbers, First, Least0),
-    Least is float(Least0).
+least(Numbers, Name, Least) :-
+    unmet(Name, None),
+    foldl(tighter(Name), Numbers, None, Extreme),
+    signed(Name, Extreme, Least).
 
-lesser(Name, Number, Least0, Least) :-
-    negated(Name, Number, Value),
-    Least is min(Least0, Value).
+tighter(Name, Number, Extreme0, Extreme) :-
+    checked(Number, throw),
+    (   call(Name, Extreme0, Number)
+    ->  Extreme = Extreme0
+    ;   Extreme = Number
+    ).
 
-negated(=<, Number, Value) :-
-    Value is Number.
-negated(>=, Number, Value) :-
-    Value is -Number.
+:- meta_predicate checked(+, 1).
+
+checked(Number, Otherwise) :-
+    (   number(Number), Number =:= Number
+    ->  true
+    ;   call(Otherwise, 'gave ~p, which is compared with a threshold and is no number,'-[Number])
+    ).
+
+unmet(=<, None) :-
+    None is inf.
+unmet(>=, None) :-
+    None is -inf.
+
+signed(Name, Number, Value) :-
+    (   abs(Number) =< 1.7976931348623157e308
+    ->  Size is float(Number)
+    ;   Number < 0
+    ->  Size is -inf
+    ;   Size is inf
+    ),
+    (   Name == (=<)
+    ->  Value = Size
+    ;   Value is -Size
+    ).
 
 compiled(Table, Clause) :-
     current_prolog_flag(optimise, Old),
@@ -319,35 +342,86 @@ answered(Table, Goal, Roots) :-
     catch(guarded(Module:test/0, Goal), nppg_fault(_, Fault),
           ( blame(Module, Goal, Roots), throw(nppg_fault(Module:test/0, Fault)) )).
 
-%   Throws the fault of the first test in the clause's body that has one.
+%   Throws the fault of the first test in the clause's body that has one, with the literal that is to blame.
 
 blame(Module, Table:Goal, Roots) :-
     clause(Table:Goal, Body),
     arg(2, Goal, Roots),
-    forall(step(Body, Table, Test), tried(Module, Table, Test)).
+    flat(Body, Goals),
+    forall(test(Goals, Table, Test), tried(Test, Module, Table, Roots)).
 
-tried(Module, Table, Test) :-
-    last_literal(Test, Literal),
-    functor(Literal, Name, Arity),
-    catch(ignore(guarded(Module:(Name/Arity), Table:Test)), nppg_fault(Predicate, Fault), true),
-    (   nonvar(Fault)
-    ->  throw(nppg_fault(Predicate, Fault))
-    ;   true
+test(Goals, _, Test) :-
+    member(( If -> _ ; _ ), Goals),
+    flat(If, Conditions),
+    (   append(Prefix, [arg(1, _, _)|Packed], Conditions)
+    ->  member(( Own -> _ ; _ ), Packed),
+        flat(Own, [_|Literals]),
+        append(Prefix, Literals, Test)
+    ;   Test = Conditions
+    ).
+test(Goals, Table, Test) :-
+    member(findall(Number, Solution, _), Goals),
+    clause(Table:Solution, Body),
+    flat(Body, Literals),
+    append(Literals, [Number =< inf, fail], Test).
+
+flat(Conjunction, Goals) :-
+    (   Conjunction = (Left, Right)
+    ->  flat(Left, Start),
+        flat(Right, End),
+        append(Start, End, Goals)
+    ;   Goals = [Conjunction]
     ).
 
-step((Left, Right), Table, Test) :-
-    !,
-    (   step(Left, Table, Test)
-    ;   step(Right, Table, Test)
+tried(Test, Module, Table, Roots) :-
+    exclude(is_control, Test, Literals),
+    (   last(Literals, Last)
+    ->  functor(Last, Name, Arity)
+    ;   Name = test, Arity = 0
+    ),
+    maplist(watched(Test, Module, Table, Roots), Test, Watched),
+    conjunction(Watched, Goal),
+    catch(ignore(guarded(Module:Name/Arity, Goal)), nppg_fault(Predicate, Fault), true),
+    (   var(Fault)
+    ->  true
+    ;   Fault = nppg_fault(_, _)
+    ->  throw(Fault)
+    ;   throw(nppg_fault(Predicate, Fault))
     ).
-step(( Test -> _ ; _ ), _, Test).
-step(findall(Number, Solution, _), Table, (Test, Number =< inf)) :-
-    clause(Table:Solution, Test).
 
-last_literal((_, Rest), Literal) :-
+is_control(fail).
+is_control(_ =< _).
+is_control(_ >= _).
+
+watched(Test, Module, Table, Roots, Literal, Watched) :-
+    (   Literal == fail
+    ->  Watched = fail
+    ;   is_control(Literal)
+    ->  arg(1, Literal, Number),
+        source(Test, Number, Table, Roots, Source),
+        Watched = ( nppg_query_pack:checked(Number, fault(Module:Source)), Literal )
+    ;   functor(Literal, Name, Arity),
+        Watched = catch(Table:Literal, error(Error, Context),
+                        throw(nppg_fault(Module:Name/Arity, error(Error, Context))))
+    ).
+
+%   What gives the number that a bound compares: the first literal that is about it, else the goal or the action.
+
+source(Literals, Number, _, _, Name/Arity) :-
+    member(Literal, Literals),
+    term_variables(Literal, Variables),
+    member(Variable, Variables),
+    Variable == Number,
     !,
-    last_literal(Rest, Literal).
-last_literal(Literal, Literal).
+    functor(Literal, Name, Arity).
+source(_, Number, Table, Roots, Name/Arity) :-
+    layout(Table, _, _, [Name, Arity]),
+    Roots =.. Values,
+    length(Own, Arity),
+    append(_, Own, Values),
+    memberchk(Number, Own),
+    !.
+source(_, _, _, _, action/1).
 
 %!  load_examples(+Table, +States, +Examples) is det.
 %

@@ -14,8 +14,8 @@ import numpy as np
 from nppg import prolog_home
 from nppg.domain import Action, Domain, Ground, State
 from nppg.language_bias import LanguageBias
-from nppg.logic import Query, Var
-from nppg.refinement import KIND, Refiner
+from nppg.logic import OPEN, Query, Var
+from nppg.refinement import KIND, Refinement, Refiner
 from nppg.tree import Leaf, Node, Rule, Tree
 
 Values = dict[Var, Ground | None]
@@ -50,8 +50,13 @@ def random_query(refiner: Refiner, steps: int, rng: Random) -> Query:
         about_new = [each for each in candidates if len(each.test) > 1 or _has_new(each.test, refiner.root_count)]
         if not candidates:
             break
-        query += rng.choice(about_new if about_new and rng.random() < 0.6 else candidates).literals
+        query += with_threshold(rng.choice(about_new if about_new and rng.random() < 0.6 else candidates), rng).literals
     return query
+
+
+def with_threshold(refinement: Refinement, rng: Random) -> Refinement:
+    """Closed by a random one, if it is to have one."""
+    return refinement.closed(rng.choice([-4.5, -3.0, -1.5, 0.0, 1.5, 2.0, 3.0])) if refinement.is_open else refinement
 
 
 def _has_new(query: Query, roots: int) -> bool:
@@ -63,7 +68,7 @@ def random_tree(refiner: Refiner, depth: int, rng: Random, query: Query = ()) ->
     if depth == 0 or rng.random() < 0.1 or not candidates:
         return Leaf(rng.gauss(0, 1))
     about_new = [each for each in candidates if _has_new(each.test, refiner.root_count)]
-    chosen = rng.choice(about_new if about_new and rng.random() < 0.6 else candidates)
+    chosen = with_threshold(rng.choice(about_new if about_new and rng.random() < 0.6 else candidates), rng)
     return Node(
         chosen.literals,
         (chosen.test,),
@@ -98,9 +103,9 @@ def relations(state: State) -> Relations:
 
 def root_values(bias: LanguageBias, action: Action, known: Relations) -> tuple[int, Values]:
     """The kind of the action, and the values of the root variables; None for the arguments of other kinds."""
-    name, *args = action
+    name, *args = action if isinstance(action, tuple) else (action,)
     kind = [each.name for each in bias.actions].index(name)
-    (goal,) = known[bias.goal.name]
+    (goal,) = known[bias.goal.name] if bias.goal else [()]
     values = dict.fromkeys(map(Var, range(len(bias.roots))))
     values |= {Var(bias.offsets[kind] + i): each for i, each in enumerate(args)}
     return kind, values | {Var(bias.offsets[-1] + i): each for i, each in enumerate(goal)}
@@ -119,6 +124,10 @@ def holds(query: Query, kind: int, values: Values, known: Relations) -> bool:
             var, value = (left, right) if isinstance(left, Var) else (right, left)
             return holds(rest, kind, values | {var: value}, known)
         return left is not None and left == right and holds(rest, kind, values, known)
+    if name in OPEN:
+        value, limit = (values.get(arg, arg) if isinstance(arg, Var) else arg for arg in args)
+        within = value is not None and (value <= limit if name == "=<" else value >= limit)
+        return within and holds(rest, kind, values, known)
     for row in known.get(name, ()):
         bound = dict(values)
         if all(_matches(arg, value, bound) for arg, value in zip(args, row, strict=True)) and holds(

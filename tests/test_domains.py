@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from nppg import Domain, LanguageBias, NppgError, Options, generate_episode, train
+from nppg.check import check
 from nppg.domain import Action, Outcome, State
 from nppg.policy import Policy
 from nppg.prolog import ask
@@ -164,3 +165,101 @@ def test_neighbours_are_what_acting_leads_to_in_whatever_order_the_facts_come(fo
         assert four_blocks.neighbours(state[::-1]) == neighbours
         for action, outcomes in neighbours:
             assert outcomes == [(1, four_blocks.act(state, action, rng)[1])]
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_nothing_is_wrong_with_it(path: Path) -> None:
+    """Also with the shipped language biases that are variants of its own."""
+    file = bias_of(path)
+    assert file
+    variants = [] if path.stem == "blocks_world" else sorted(file.parent.glob(f"{path.stem}_*.yaml"))
+    for each in (file, *variants):
+        problems, summary = check(lambda: Domain(path), lambda each=each: LanguageBias.load(each))
+        assert problems == [] and "no mistakes" in summary
+
+
+def test_grid() -> None:
+    """Walls hold, a step goes astray to its sides, and all cells but the goal and the pit are starts."""
+    grid = Domain("grid", {"slip": 0.2})
+    corner = (("x", 1), ("y", 1))
+    outcomes = {
+        name: sorted((round(p, 9), state[0][1], state[1][1]) for p, state in found)
+        for name, found in grid.neighbours(corner)
+    }
+    assert outcomes["east"] == [(0.1, 1, 1), (0.1, 1, 2), (0.8, 2, 1)]
+    assert outcomes["north"] == [(0.1, 1, 1), (0.1, 2, 1), (0.8, 1, 2)]
+    beside_the_wall = dict(grid.neighbours((("x", 4), ("y", 3))))["east"]
+    assert max(beside_the_wall) == (0.8, (("x", 4), ("y", 3)))
+    assert grid.situation((("x", 9), ("y", 6))).status == "goal"
+    assert grid.situation((("x", 9), ("y", 5))).status == "terminal"
+    assert grid.reward((("x", 9), ("y", 5)), "east") == -1
+    rng = np.random.default_rng(0)
+    assert len({grid.start(rng) for _ in range(1000)}) == 9 * 6 - 5 - 2
+    sure = Domain("grid", {"slip": 0.0})
+    assert all(len(found) == 1 for _, found in sure.neighbours(corner))
+    with pytest.raises(NppgError, match="start/1 failed"):
+        Domain("grid", {"width": 3}).start(rng)
+
+
+def values(state: State, name: str) -> list[tuple]:
+    return [fact[1:] for fact in state if fact[0] == name]
+
+
+def test_the_rover_keeps_its_limits() -> None:
+    """Under random actions the load limit and the battery hold, rocks get neither lost nor doubled, and whoever has no
+    energy left is stranded."""
+    rover, rng, stranded, loads = Domain("rover"), np.random.default_rng(0), 0, []
+    limit, capacity = rover.parameters["load_limit"], rover.parameters["capacity"]
+    for _ in range(100):
+        state = rover.start(rng)
+        weights = dict(values(state, "weight"))
+        assert 2 <= len(weights) <= rover.parameters["rocks"] and values(state, "wanted")
+        status, actions = rover.situation(state)
+        while status == "running":
+            reward, state = rover.act(state, actions[int(rng.random() * len(actions))], rng)
+            carried = [rock for (rock,) in values(state, "carried")]
+            loads.append(sum(weights[rock] for rock in carried))
+            assert loads[-1] <= limit
+            assert sorted([rock for rock, _ in values(state, "in")] + carried) == sorted(weights)
+            ((energy,),) = values(state, "battery")
+            assert 0 <= energy <= capacity
+            status, actions = rover.situation(state)
+            assert (energy == 0) == (status == "terminal") == (reward < -1)
+        stranded += status == "terminal"
+    assert 50 < stranded <= 100 and max(loads) > limit / 2
+
+
+@pytest.mark.parametrize("capacity", [15.1, 16.0, 30.0])
+def test_the_rover_s_expert_brings_every_wanted_rock(capacity: float) -> None:
+    rover, rng = Domain("rover", {"capacity": capacity}), np.random.default_rng(1)
+    policy = Policy(rover, LanguageBias.load(ROOT / "language_bias" / "rover.yaml"))
+    for _ in range(60):
+        episode = generate_episode(policy, rng, guidance=1.0)
+        assert episode.success
+        wanted = [rock for (rock,) in values(episode.last, "wanted")]
+        assert {(rock, "base") for rock in wanted} <= set(values(episode.last, "in"))
+        rewards = sum(step.reward for step in episode.steps)
+        assert rewards == pytest.approx(len(wanted) - 0.02 * len(episode.steps))
+
+
+def test_what_the_rover_s_ways_cost() -> None:
+    """By hand: half a load costs half as much as the way itself, a full one as much."""
+    rover, rng = Domain("rover"), np.random.default_rng(0)
+    facts = (
+        ("at", "base"),
+        ("carried", "rock2"),
+        ("wanted", "rock1"),
+        ("in", "rock1", "site1"),
+        *(("place", name, x) for name, x in (("base", 0.0), ("charger", 5.0), ("site1", 7.0))),
+        ("weight", "rock1", 3.0),
+        ("weight", "rock2", 3.0),
+    )
+    state = (("battery", 16.0), *facts)
+    assert rover.binding(state, "fetching", 2) == ("rock1", 16 - 7 * 1.5 - 2 * 2)
+    there = rover.act(state, ("go", "site1"), rng)[1]
+    assert values(there, "battery") == [(16 - 7 * 1.5,)]
+    assert ("pick", "rock1") in rover.situation(there).actions, "it fits exactly"
+    lost = rover.act((("battery", 10.0), *facts), ("go", "site1"), rng)
+    assert lost[0] == -1.02 and values(lost[1], "at") == [] and values(lost[1], "battery") == [(0.0,)]
+    heavier = tuple(("weight", "rock1", 3.1) if fact[:2] == ("weight", "rock1") else fact for fact in there)
+    assert ("pick", "rock1") not in rover.situation(heavier).actions

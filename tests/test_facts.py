@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from random import Random
 
 import numpy as np
 import pytest
@@ -13,8 +14,9 @@ from hypothesis import strategies as st
 from nppg.coverage import Coverage, root_table
 from nppg.domain import Domain, State
 from nppg.errors import NppgError
-from nppg.facts import FactTable
+from nppg.facts import FactTable, suffices
 from nppg.language_bias import LanguageBias
+from nppg.logic import Query
 from nppg.refinement import Refiner
 from nppg.table import Table, TestTable
 
@@ -85,8 +87,8 @@ def test_the_answers_are_those_of_prolog(tables: list[Table], state: list, actio
 
 @pytest.mark.parametrize(
     "mode",
-    ["far(+place)", "near(-thing, -thing)", "near(-thing, b)", '"+size >= #"', "flower(b, red, +size)"],
-    ids=["no fluent", "two things", "a thing that others ask about", "two bounds", "a size that is asked about"],
+    ["far(+place)", "near(-thing, -thing)", "near(-thing, b)", "flower(b, red, +size)"],
+    ids=["no fluent", "two things", "a thing that others ask about", "a size that is asked about"],
 )
 def test_what_only_prolog_can_answer_is_left_to_it(meadow: Domain, bias_of: Callable, mode: str) -> None:
     bias = bias_of(BIAS.replace("BOUNDS", f"{BOUNDS}\n  - {mode}"))
@@ -124,5 +126,68 @@ def test_what_is_no_number_is_reported(tmp_path: Path, bias_of: Callable) -> Non
     bias = bias_of(BIAS.replace("BOUNDS", BOUNDS))
     domain = Domain(path)
     table = root_table(domain, bias, Refiner(bias))
-    with pytest.raises(NppgError, match=r"odd\.pl.*compares big with a threshold, which is no number"):
+    with pytest.raises(
+        NppgError, match=r"odd\.pl: flower/3 gave big, which is compared with a threshold and is no num"
+    ):
         table.answers(domain.start(np.random.default_rng(0)), ["rest"])
+
+
+SEVERAL = """
+action: ["go(+place)", rest]
+types: {flower: [thing, size, size]}
+modes:
+  - {literal: "flower(a, -size, -size)", lookahead: 1}
+  - "+size =< #"
+  - "+size >= #"
+  - "+place >= #"
+lookahead: 1
+"""
+
+
+@given(st.lists(st.tuples(st.just("flower"), things, numbers, numbers), max_size=8), st.randoms(use_true_random=False))
+def test_several_bounds_of_one_fluent(meadow: Domain, several: LanguageBias, state: list, random: Random) -> None:
+    """Down a path of tests with thresholds; and as a model asks them, all of them closed."""
+    refiner = Refiner(several)
+    read = root_table(meadow, several, refiner)
+    asked = TestTable(meadow, several)
+    asked.add(read.tests)
+    given_state: State = tuple(dict.fromkeys(state))
+    actions: list = [("go", 1), "rest"]
+    query: Query = ()
+    for _ in range(3):
+        candidates = refiner.refinements(query)
+        found, expected = (
+            Coverage(table, [given_state] * 2, actions).matrix(candidates, np.arange(2), {})[0]
+            for table in (read, asked)
+        )
+        np.testing.assert_array_equal(found, expected)
+        chosen = random.choice([each for each in candidates if each.is_open]).closed(random.choice([-1, 0, 0.5, 2]))
+        query += chosen.literals
+        for table in (read, asked):
+            table.add([chosen.test])
+        np.testing.assert_array_equal(read.answers(given_state, actions), asked.answers(given_state, actions))
+    assert isinstance(read, FactTable) and suffices(read.tests, meadow, several) and max(map(len, read.tests)) >= 2
+
+
+@pytest.fixture(scope="module")
+def several(tmp_path_factory: pytest.TempPathFactory) -> LanguageBias:
+    path = tmp_path_factory.mktemp("bias") / "bias.yaml"
+    path.write_text(SEVERAL)
+    return LanguageBias.load(path)
+
+
+@pytest.mark.parametrize("value", [True, float("nan"), "e", ("f", 1)])
+def test_no_number(meadow: Domain, several: LanguageBias, value) -> None:
+    table = root_table(meadow, several, Refiner(several))
+    with pytest.raises(NppgError, match=r"flower/3 gave .* no number"):
+        table.answers((("flower", "a", value, 1),), ["rest"])
+
+
+def test_numbers_beyond_floats(meadow: Domain, several: LanguageBias) -> None:
+    read = root_table(meadow, several, Refiner(several))
+    asked = TestTable(meadow, several)
+    asked.add(read.tests)
+    for value in (10**400, -(10**400), 2**70 + 1, 2**63 - 1, float("inf"), -float("inf")):
+        state: State = (("flower", "a", value, 1),)
+        np.testing.assert_array_equal(read.answers(state, ["rest"]), asked.answers(state, ["rest"]))
+    assert np.isinf(read.answers((("flower", "a", 10**400, 0),), ["rest"])).any()

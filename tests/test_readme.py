@@ -39,8 +39,20 @@ def test_the_worked_example_is_learned_and_its_first_tree_is_the_one_shown(
     assert '"success": 1.0' in capsys.readouterr().out
 
 
-def test_the_python_example_runs(tmp_path: Path) -> None:
-    code = blocks("python")[0].replace('"language_bias/', f'"{Path(__file__).parent.parent}/language_bias/')
+@pytest.mark.parametrize("number", [0, 1])
+def test_the_ten_lines_give_what_stands_below_them(tmp_path: Path, number: int) -> None:
+    code, shown = blocks("python")[number], blocks("text")[number].strip().splitlines()
     result = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True)
     assert result.returncode == 0, result.stderr
-    assert "exact=True" in result.stdout and (tmp_path / "model.pl").exists()
+    evaluated, *rules = result.stdout.splitlines()
+    told = re.findall(r"(?:Success|Return) ([0-9.]+[0-9])", README)[number]
+    assert f"{'success' if number == 0 else 'mean_return'}={told}" in evaluated
+    rounded = [re.sub(r"-?[0-9]+\.[0-9]+", lambda match: f"{float(match[0]):.3f}", rule) for rule in rules]
+    assert rounded[: len(shown)] == shown
+    assert len(list(tmp_path.glob("runs/*/model.pl"))) == 1
+
+
+def test_both_worlds_take_the_same_ten_lines() -> None:
+    first, second = (block.splitlines() for block in blocks("python"))
+    assert len(first) == len(second) == 10
+    assert [i for i, pair in enumerate(zip(first, second, strict=True)) if pair[0] != pair[1]] == [2, 9]
