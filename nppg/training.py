@@ -36,9 +36,9 @@ def updated_actions(step: Step, options: Options) -> slice:
     return slice(None) if options.update == "all" else slice(step.chosen, step.chosen + 1)
 
 
-def examples(batch: Sequence[Visit], options: Options) -> Examples:
+def examples(batch: Sequence[Visit], options: Options, trees: int = 0) -> Examples:
     """The functional gradient at each updated action b (Proposition 3.1); for a second-order step also the curvature
-    |value| pi(s, b) (1 - pi(s, b))."""
+    |value| pi(s, b) (1 - pi(s, b)), and lambda as it is after so many trees."""
     states: list[State] = []
     actions: list[Action] = []
     answers, gradients, curvatures = [], [], []
@@ -54,7 +54,8 @@ def examples(batch: Sequence[Visit], options: Options) -> Examples:
         answers.append(step.answers[updated])
         actions += step.actions[updated]
         states += [step.state] * len(gradients[-1])
-    newton = Newton(np.concatenate(curvatures), options.regularisation, options.clip)
+    regularisation = options.regularisation * (1 + options.regularisation_growth * trees)
+    newton = Newton(np.concatenate(curvatures), regularisation, options.clip)
     return Examples(
         states,
         actions,
@@ -62,6 +63,12 @@ def examples(batch: Sequence[Visit], options: Options) -> Examples:
         np.concatenate(gradients),
         newton if options.step == "second-order" else None,
     )
+
+
+def wanted(trees: int, options: Options) -> float:
+    """More examples than this are gathered for the tree that follows so many: min_examples (1 + growth trees)."""
+    assert options.examples_growth is not None
+    return options.min_examples + options.min_examples * options.examples_growth * trees
 
 
 def train(domain: Domain, bias: LanguageBias, options: Options | None = None) -> Iterator[Iteration]:
@@ -80,13 +87,14 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None) ->
         new = judge.visits(episode)
         gathered += sum(len(visit.step.actions[updated_actions(visit.step, options)]) for visit in kept(new, options))
         batch += new
-        enough = gathered > options.min_examples
+        grown = len(policy.trees)
+        enough = gathered > wanted(grown, options)
         if count < options.episodes and not (enough and len(recent) >= options.episodes_per_iteration):
             continue
         if enough:
             learned = normalised(kept(batch, options), options)
             replayed = [revisited(visit, policy) for visit in memory]
-            tree = learner.fit(examples([*replayed, *learned], options))
+            tree = learner.fit(examples([*replayed, *learned], options, grown))
             eta = step_size(tree, learned, policy, options)
             memory.extend(visit for visit in learned if visit.value != 0)
             policy.add(tree, eta, f"step size {eta}, {gathered} examples, {leaves(tree)} leaves")

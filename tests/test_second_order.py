@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -18,7 +19,7 @@ import nppg.training
 from nppg.coverage import Coverage
 from nppg.critic import critic
 from nppg.domain import Domain
-from nppg.episode import Step, generate_episode
+from nppg.episode import Episode, Step, generate_episode
 from nppg.evaluation import evaluate_exactly
 from nppg.gradient import functional_gradient, gibbs
 from nppg.language_bias import TreeLimits
@@ -200,11 +201,57 @@ def test_the_options_reach_training(four_blocks: Domain, plain_bias) -> None:
         return learned(four_blocks, plain_bias, replace(options, episodes=60, seed=1, min_examples=10)).trees
 
     changes: list[dict] = [{}, {"regularisation": 2.0}, {"clip": 0.5}, {"importance": 0.0}, {"importance": 1.0}]
-    changes += [{"replay": 20}, {"update": "taken"}, {"step": "gradient"}]
+    changes += [{"replay": 20}, {"update": "taken"}]
+    changes += [{"examples_growth": 0.0}, {"regularisation_growth": 0.0}, {"step": "gradient", "examples_growth": 0.0}]
     trees = [found(replace(SECOND, **change)) for change in changes]
     assert all(trees.count(each) == 1 and each for each in trees)
     assert found(replace(SECOND, unrewarded="drop")) == trees[0]
-    assert found(Options(regularisation=2.0, clip=0.5, importance=0.0)) == trees[-1]  # the paper's step has none of it
+    paper = Options(regularisation=2.0, clip=0.5, importance=SECOND.importance, regularisation_growth=1.0)
+    assert found(paper) == trees[-1]  # the paper's step has neither
+
+
+@pytest.mark.parametrize("step", ["gradient", "second-order"])
+@pytest.mark.parametrize("growth", [0.0, 0.1, None])
+def test_a_tree_is_grown_as_soon_as_its_share_of_examples_has_gathered(
+    four_blocks: Domain, plain_bias, step: str, growth: float | None
+) -> None:
+    """The share of the m-th tree, from 0, is min_examples (1 + growth m): without growth the same for all."""
+    options = Options(episodes=80, step=step, min_examples=30, examples_growth=growth)
+    rate = growth if growth is not None else {"gradient": 0.0, "second-order": 0.03}[step]
+    assert options == replace(options, examples_growth=rate)
+    judge, grown, waited = critic(four_blocks, plain_bias, options), 0, []
+
+    def gathered(episodes: Sequence[Episode]) -> int:
+        visits = [visit for each in episodes for visit in kept(judge.visits(each), options)]
+        return sum(len(visit.step.actions) for visit in visits)
+
+    for iteration in train(four_blocks, plain_bias, options):
+        if 0 < iteration.episodes < options.episodes:
+            assert gathered(iteration.recent[:-1]) <= 30 + 30 * rate * grown < gathered(iteration.recent)
+            waited.append(len(iteration.recent))
+            grown += 1
+            assert len(iteration.policy.trees) == grown
+    assert grown > 5 and max(waited) > 1
+
+
+def test_lambda_grows_with_the_trees_and_without_growth_is_what_it_was(
+    four_blocks: Domain, plain_bias, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seen: list[float] = []
+
+    def looked_at(batch: Sequence[Visit], options: Options, trees: int) -> Examples:
+        found = examples(batch, options, trees)
+        assert trees == len(seen)
+        seen.append(found.newton.regularisation)
+        return found
+
+    monkeypatch.setattr(nppg.training, "examples", looked_at)
+    for growth in (0.0, 0.1):
+        seen.clear()
+        options = replace(SECOND, episodes=60, min_examples=30, regularisation=0.3, regularisation_growth=growth)
+        learned(four_blocks, plain_bias, options)
+        assert len(seen) > 5 and seen == [0.3 * (1 + growth * trees) for trees in range(len(seen))]
+        assert (set(seen) == {0.3}) == (growth == 0)
 
 
 JOINS = """
@@ -234,7 +281,7 @@ def test_replayed_steps_are_seen_by_the_present_policy(
     policies: list[Policy] = []
     widths, replayed = set(), []
 
-    def looked_at(batch: list[Visit], options: Options) -> Examples:
+    def looked_at(batch: list[Visit], options: Options, trees: int) -> Examples:
         policy = policies[-1]
         old = [id(visit.step.state) for earlier in batches for visit in earlier if visit.value]
         known = list(dict.fromkeys(old))[-30:]
@@ -245,7 +292,7 @@ def test_replayed_steps_are_seen_by_the_present_policy(
         assert [id(visit.step.state) for visit in again] == known
         assert all(same_as_now(visit.step, policy) for visit in batch)
         batches.append(batch)
-        return examples(batch, options)
+        return examples(batch, options, trees)
 
     monkeypatch.setattr(nppg.training, "examples", looked_at)
     for iteration in train(four_blocks, bias_of(JOINS), replace(SECOND, episodes=60, min_examples=30, replay=30)):
