@@ -9,12 +9,15 @@ import argparse
 import csv
 import platform
 import tempfile
+from dataclasses import replace
 from pathlib import Path
 from statistics import mean
 
 from nppg import Domain, LanguageBias, Options, run
 from nppg.runs import Progress, title
 from nppg.shipped import locate
+
+_GROWTHS = ("examples_growth", "regularisation_growth")
 
 
 def main() -> None:
@@ -23,11 +26,14 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=10, help="seeds 0 to N - 1")
     parser.add_argument("--episodes", type=int, default=Options().episodes)
     parser.add_argument("--step", default=Options().step)
+    for each in _GROWTHS:
+        parser.add_argument(f"--{each.replace('_', '-')}", type=float, default=0.0)
     parser.add_argument("--beside", type=Path, metavar="CSV", help="curves of other runs, whose mean is drawn too")
     parser.add_argument("--output", type=Path, required=True)
     chosen = parser.parse_args()
     chosen.output.mkdir(parents=True, exist_ok=True)
-    runs = [_learn(chosen.domain, Options(chosen.episodes, seed, step=chosen.step)) for seed in range(chosen.seeds)]
+    options = Options(chosen.episodes, step=chosen.step, **{each: getattr(chosen, each) for each in _GROWTHS})
+    runs = [_learn(chosen.domain, replace(options, seed=seed)) for seed in range(chosen.seeds)]
     _write_csv(runs, chosen.output / "curves.csv")
     _write_summary(runs, chosen, chosen.output / "README.md")
     _draw(runs, chosen.beside, chosen.output / "curves.png")
@@ -109,6 +115,7 @@ def _first(runs: list[Progress]) -> str:
 def _command(chosen: argparse.Namespace) -> str:
     words = [f"python -m benchmarks.curves {chosen.domain} --seeds {chosen.seeds} --episodes {chosen.episodes}"]
     words += [f"--step {chosen.step}"] if chosen.step != Options().step else []
+    words += [f"--{each.replace('_', '-')} {value}" for each in _GROWTHS if (value := getattr(chosen, each))]
     words += [f"--beside {chosen.beside}"] if chosen.beside else []
     return " ".join([*words, f"--output {chosen.output}"])
 

@@ -18,7 +18,7 @@ from nppg.optimum import ReturnEvaluator
 from nppg.shipped import locate
 from nppg.space import Space
 
-_OPTIONS = {"step": "second-order", "min_examples": 2000, "episodes": 3000, "critic": "value", "importance": 0.0}
+_OPTIONS = {"step": "second-order", "critic": "value", "discount": 0.95, "min_examples": 1000, "episodes": 1000}
 
 
 class Run(NamedTuple):
@@ -33,7 +33,7 @@ class Run(NamedTuple):
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--seeds", type=int, default=10, help="seeds 0 to N - 1")
+    parser.add_argument("--seeds", type=int, default=5, help="seeds 0 to N - 1")
     parser.add_argument("--first-seed", type=int, default=0)
     parser.add_argument("--output", type=Path, required=True)
     chosen = parser.parse_args()

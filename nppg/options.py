@@ -53,12 +53,8 @@ class Options(Common):
     step_size: float = option(1.0, "eta, by which each tree is multiplied", low=0)
     discount: float = option(1.0, "gamma, of the returns", low=0, high=1)
     min_examples: int = option(100, "a tree is grown once more examples than this have gathered", low=0)
-    examples_growth: float | None = option(
-        None,
-        "share of min_examples that each tree adds to it, so that later trees average over more; left out it is 0, in "
-        "second-order steps 0.03",
-        kind=float,
-        low=0,
+    examples_growth: float = option(
+        0.0, "share of min_examples that each tree adds to it, so that later trees average over more", low=0
     )
     episodes_per_iteration: int = option(1, "least number of episodes between two trees", low=1)
     update: str = option(
@@ -70,7 +66,7 @@ class Options(Common):
         choices=("gradient", "second-order"),
     )
     regularisation: float = option(0.25, "lambda of a second-order leaf, sum(f) / (sum(h) + lambda)", low=0)
-    regularisation_growth: float = option(0.02, "share of lambda that each tree adds to it", low=0)
+    regularisation_growth: float = option(0.0, "share of lambda that each tree adds to it", low=0)
     clip: float = option(3.0, "a second-order leaf lies between -clip and clip", low=0)
     importance: float | None = option(
         None,
@@ -124,8 +120,6 @@ class Options(Common):
         super(Options, self).__post_init__()  # without arguments it does not find its class, which has slots
         if self.importance is None:
             object.__setattr__(self, "importance", 1.0 if self.step == "gradient" else 0.5)
-        if self.examples_growth is None:
-            object.__setattr__(self, "examples_growth", 0.0 if self.step == "gradient" else 0.03)
 
 
 def _problem(option: Field, value: Any) -> str:

@@ -67,7 +67,6 @@ def examples(batch: Sequence[Visit], options: Options, trees: int = 0) -> Exampl
 
 def wanted(trees: int, options: Options) -> float:
     """More examples than this are gathered for the tree that follows so many: min_examples (1 + growth trees)."""
-    assert options.examples_growth is not None
     return options.min_examples + options.min_examples * options.examples_growth * trees
 
 

@@ -202,7 +202,7 @@ def test_the_options_reach_training(four_blocks: Domain, plain_bias) -> None:
 
     changes: list[dict] = [{}, {"regularisation": 2.0}, {"clip": 0.5}, {"importance": 0.0}, {"importance": 1.0}]
     changes += [{"replay": 20}, {"update": "taken"}]
-    changes += [{"examples_growth": 0.0}, {"regularisation_growth": 0.0}, {"step": "gradient", "examples_growth": 0.0}]
+    changes += [{"examples_growth": 0.2}, {"regularisation_growth": 0.5}, {"step": "gradient"}]
     trees = [found(replace(SECOND, **change)) for change in changes]
     assert all(trees.count(each) == 1 and each for each in trees)
     assert found(replace(SECOND, unrewarded="drop")) == trees[0]
@@ -211,14 +211,12 @@ def test_the_options_reach_training(four_blocks: Domain, plain_bias) -> None:
 
 
 @pytest.mark.parametrize("step", ["gradient", "second-order"])
-@pytest.mark.parametrize("growth", [0.0, 0.1, None])
+@pytest.mark.parametrize("growth", [0.0, 0.1])
 def test_a_tree_is_grown_as_soon_as_its_share_of_examples_has_gathered(
-    four_blocks: Domain, plain_bias, step: str, growth: float | None
+    four_blocks: Domain, plain_bias, step: str, growth: float
 ) -> None:
     """The share of the m-th tree, from 0, is min_examples (1 + growth m): without growth the same for all."""
     options = Options(episodes=80, step=step, min_examples=30, examples_growth=growth)
-    rate = growth if growth is not None else {"gradient": 0.0, "second-order": 0.03}[step]
-    assert options == replace(options, examples_growth=rate)
     judge, grown, waited = critic(four_blocks, plain_bias, options), 0, []
 
     def gathered(episodes: Sequence[Episode]) -> int:
@@ -227,7 +225,7 @@ def test_a_tree_is_grown_as_soon_as_its_share_of_examples_has_gathered(
 
     for iteration in train(four_blocks, plain_bias, options):
         if 0 < iteration.episodes < options.episodes:
-            assert gathered(iteration.recent[:-1]) <= 30 + 30 * rate * grown < gathered(iteration.recent)
+            assert gathered(iteration.recent[:-1]) <= 30 + 30 * growth * grown < gathered(iteration.recent)
             waited.append(len(iteration.recent))
             grown += 1
             assert len(iteration.policy.trees) == grown
