@@ -123,7 +123,7 @@ def holds(query: Query, kind: int, values: Values, known: Relations) -> bool:
         if isinstance(left, Var) or isinstance(right, Var):
             var, value = (left, right) if isinstance(left, Var) else (right, left)
             return holds(rest, kind, values | {var: value}, known)
-        return left is not None and left == right and holds(rest, kind, values, known)
+        return left is not None and left == right and type(left) is type(right) and holds(rest, kind, values, known)
     if name in OPEN:
         value, limit = (values.get(arg, arg) if isinstance(arg, Var) else arg for arg in args)
         within = value is not None and (value <= limit if name == "=<" else value >= limit)

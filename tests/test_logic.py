@@ -5,21 +5,25 @@ from __future__ import annotations
 from itertools import product
 from random import Random
 
-from hypothesis import assume, given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from samples import holds
 
 from nppg.logic import (
+    OPEN,
     Literal,
     Query,
     Var,
     components,
     deciding_tests,
+    implies,
     normal_form,
+    opened,
     reduced,
     solve_equalities,
     substitute,
     subsumes,
+    tightened,
     variables,
 )
 
@@ -186,3 +190,126 @@ def test_deciding_tests_decide(query: Query, added: Query, world, roots) -> None
     assume(added and holds(query, 0, values, world))
     tests = deciding_tests(query, added, ROOTS)
     assert holds(query + added, 0, values, world) == all(holds(test, 0, values, world) for test in tests)
+
+
+NUMBERS = [-1, 0, 1.5, 2]
+
+
+@st.composite
+def bounded(draw: st.DrawFn) -> Query:
+    """A query among numbers, with bounds of what its literals or the example bind, and some equalities."""
+    query = draw(queries([Var(0), Var(1), 2, Var(2), Var(3), Var(4)], most=3))
+    known = sorted({*variables(query), Var(0), Var(1)})
+    bounds = draw(
+        st.lists(
+            st.builds(
+                lambda name, term, limit: Literal(name, (term, limit)),
+                st.sampled_from(["=<", ">="]),
+                st.sampled_from([*known, 2]),
+                st.sampled_from([-1.0, 0.5, 2.0]),
+            ),
+            max_size=3,
+        )
+    )
+    equalities = draw(st.lists(st.sampled_from(known).map(lambda term: Literal("=", (Var(0), term))), max_size=1))
+    return (*query, *bounds, *equalities)
+
+
+number_worlds = st.fixed_dictionaries(
+    {name: st.sets(st.tuples(*[st.sampled_from(NUMBERS)] * arity)) for name, arity in SIGNATURE.items()}
+)
+examples = st.tuples(*[st.sampled_from(NUMBERS)] * ROOTS).map(
+    lambda roots: dict(zip((Var(0), Var(1)), roots, strict=True))
+)
+
+
+def solutions(query: Query, values: dict, world: dict) -> list[dict]:
+    """All values of its variables under which every literal holds, by trying each."""
+    own = existential(query)
+    found = []
+    for choice in product(NUMBERS, repeat=len(own)):
+        all_values = values | dict(zip(own, choice, strict=True))
+        rows = [(name, tuple(all_values.get(arg, arg) for arg in args)) for name, args in query]
+        if all(
+            row[0] == row[1] if name == "=" else compared(name, *row) if name in OPEN else row in world[name]
+            for name, row in rows
+        ):
+            found.append(all_values)
+    return found
+
+
+def compared(name: str, value: float, limit: float) -> bool:
+    return value <= limit if name == "=<" else value >= limit
+
+
+@given(bounded(), number_worlds, examples)
+def test_the_normal_form_with_bounds_is_equivalent(query: Query, world, values) -> None:
+    found = normal_form(query, ROOTS)
+    assert bool(solutions(query, values, world)) == (found is not None and bool(solutions(found, values, world)))
+    if found is not None:
+        assert normal_form(tuple(reversed(query)), ROOTS) is not None
+        assert {*map(len, map(set, (normal_form(found, ROOTS), found)))} == {len(found)}
+
+
+@given(bounded(), st.data(), number_worlds, examples)
+def test_what_a_query_with_bounds_subsumes_implies_it(special: Query, data, world, values) -> None:
+    special = tuple(each for each in special if each.name != "=")
+    general = tuple(
+        Literal(each.name, (each.args[0], data.draw(st.sampled_from([-1.0, 0.5, 2.0])))) if each.name in OPEN else each
+        for each in special
+        if data.draw(st.booleans())
+    )
+    looser = all(any(implies(each, other) for each in special) for other in general if other.name in OPEN)
+    assert subsumes(general, special, ROOTS) or not looser
+    if subsumes(general, special, ROOTS) and solutions(special, values, world):
+        assert solutions(general, values, world)
+
+
+def test_bounds_imply_looser_ones() -> None:
+    p, x, y = Literal("p", (Var(2),)), Var(2), Var(3)
+    three, five = Literal("=<", (x, 3.0)), Literal("=<", (x, 5.0))
+    assert subsumes((p, five), (p, three), ROOTS) and not subsumes((p, three), (p, five), ROOTS)
+    assert not subsumes((p, Literal("=<", (y, 3.0))), (p, five), ROOTS)  # y and x are not said to be one
+    assert subsumes((Literal("p", (y,)), Literal("=<", (y, 5.0))), (p, three), ROOTS)
+    at_least = Literal(">=", (x, 3.0))
+    assert implies(at_least, Literal(">=", (x, 2.0))) and not implies(at_least, Literal(">=", (x, 4.0)))
+    assert not implies(at_least, three) and not implies(three, Literal("=<", (y, 4.0)))
+    assert tightened((p, five, at_least, three, five)) == (p, at_least, three)
+    assert reduced((p, five, Literal("p", (y,)), Literal("=<", (y, 3.0))), ROOTS) == (
+        Literal("p", (y,)),
+        Literal("=<", (y, 3.0)),
+    )
+
+
+@given(bounded(), number_worlds, examples)
+def test_the_least_value_decides_a_test_with_a_bound(query: Query, world, values) -> None:
+    test, limit = opened(query)
+    bounds = [i for i, each in enumerate(query) if each.name in OPEN]
+    if not bounds:
+        assert (test, limit) == (query, 0.5)
+        return
+    name, (term, own) = query[bounds[0]]
+    sign = 1 if name == "=<" else -1
+    assert limit == sign * own and opened(test)[0] == test
+    rest = query[: bounds[0]] + query[bounds[0] + 1 :]
+    found = [sign * (each[term] if isinstance(term, Var) else term) for each in solutions(rest, values, world)]
+    assert bool(solutions(query, values, world)) == (min(found, default=float("inf")) <= limit)
+
+
+def test_an_open_bound_counts_before_a_closed_one() -> None:
+    closed, one = Literal("=<", (Var(2), 3.0)), Literal(">=", (Var(3), OPEN[">="]))
+    assert opened((closed, one)) == ((closed, one), -OPEN[">="])
+
+
+@settings(max_examples=40)
+@given(bounded(), bounded(), number_worlds, examples)
+def test_deciding_tests_with_bounds_decide(query: Query, added: Query, world, values) -> None:
+    added = tuple(each for each in added if each.name != "=")
+    assume(added and solutions(query, values, world) and normal_form(query, ROOTS) is not None)
+    try:
+        tests = deciding_tests(query, added, ROOTS)
+    except ValueError:
+        assert not solutions(query + added, values, world)
+        return
+    truths = [bool(solutions(test, values, world)) for test in tests]
+    assert bool(solutions(query + added, values, world)) == all(truths)
