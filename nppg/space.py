@@ -29,20 +29,20 @@ class Space:
     and one of its actions are numbered through; `owner` is the class of each pair. An outcome leads from the pair
     `origin` to the class `target` with probability `weight`. `objects` are all that are interchangeable.
 
-    Raises NppgError where the domain does not declare `uniform_start`, where there are more than `limit` classes,
-    or where drawn starts contradict what it declares.
+    Raises NppgError where the domain defines observation/1 or does not declare `uniform_start`, where there are more
+    than `limit` classes, or where drawn starts contradict what it declares.
     """
 
     def __init__(self, domain: Domain, limit: int = 200_000):
-        if not domain.uniform_start:
-            raise NppgError(
-                f"{domain.path}: exact evaluation needs a finite space with a uniform start distribution, which the "
-                "domain does not declare (:- uniform_start); evaluate on sampled starts"
-            )
         if domain.has_observation:
             raise NppgError(
                 f"{domain.path}: exact evaluation is for policies that see states as they are, not what observation/1 "
                 "draws; evaluate on sampled starts"
+            )
+        if not domain.uniform_start:
+            raise NppgError(
+                f"{domain.path}: exact evaluation needs a finite space with a uniform start distribution, which the "
+                "domain does not declare (:- uniform_start); evaluate on sampled starts"
             )
         self.domain = domain
         self.limit = limit

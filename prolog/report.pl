@@ -71,7 +71,7 @@ what(nppg_halt, Text) :-
     Text = 'called halt, which would end Python,'.
 what(nppg_unseeded, Text) :-
     !,
-    Text = 'drew a random number, which only start/1, effects and reward/2 may,'.
+    Text = 'drew a random number, which only start/1, effects, reward/2 and observation/1 may,'.
 what(error(resource_error(Resource), _), Text) :-
     !,
     format(atom(Text), 'ran out of ~w (does it recurse without end?)', [Resource]).

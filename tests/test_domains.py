@@ -46,6 +46,7 @@ def conforms(path: Path, starts: int = 20, steps: int = 15, seed: int = 0) -> No
             else:
                 assert successor in states, "what act leads to is one of the outcomes"
             state = successor
+            watched(domain, state, seed)
     assert [domain.start(np.random.default_rng(seed + i)) for i in range(5)] == [
         Domain(path).start(np.random.default_rng(seed + i)) for i in range(5)
     ], "the same seed gives the same start"
@@ -54,7 +55,7 @@ def conforms(path: Path, starts: int = 20, steps: int = 15, seed: int = 0) -> No
 def holds(domain: Domain, state: State) -> tuple | None:
     """Checks one state; an action to go on with, and the states that it may lead to, None where effects draw them."""
     assert len(set(state)) == len(state), "facts are distinct"
-    assert {(fact[0], len(fact) - 1) if isinstance(fact, tuple) else (fact, 0) for fact in state} <= domain.fluents
+    assert indicators(state) <= domain.fluents
     status, actions = domain.situation(state)
     assert ask("intact", domain.module) == "true", "queries leave the state alone"
     if status != "running":
@@ -74,6 +75,19 @@ def holds(domain: Domain, state: State) -> tuple | None:
         assert math.isclose(sum(outcome.probability for outcome in outcomes), 1)
     assert ask("intact", domain.module) == "true", "looking ahead leaves the state alone"
     return action, [outcome.state for outcome in neighbours[action]]
+
+
+def watched(domain: Domain, state: State, seed: int) -> None:
+    """Checks what is seen of one state."""
+    seen, again = (domain.observe(state, np.random.default_rng(seed)) for _ in range(2))
+    assert seen == again, "what is seen follows the seed"
+    assert ask("intact", domain.module) == "true", "looking leaves the state alone"
+    assert indicators(seen) <= domain.fluents and len(set(seen)) == len(seen)
+    assert domain.has_observation or seen is state
+
+
+def indicators(state: State) -> set[tuple]:
+    return {(fact[0], len(fact) - 1) if isinstance(fact, tuple) else (fact, 0) for fact in state}
 
 
 def listed(domain: Domain, state: State) -> dict[Action, list[Outcome]] | None:

@@ -7,18 +7,24 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from nppg import train
 from nppg.cli import main
 from nppg.coverage import root_table
 from nppg.domain import Domain, State
 from nppg.episode import Episode, generate_episode
 from nppg.errors import NppgError
 from nppg.language_bias import LanguageBias
+from nppg.learners import LEARNERS
+from nppg.options import Options
 from nppg.policy import Policy
 from nppg.refinement import Refiner
+from nppg.rrl.qfunction import QFunction
+from nppg.rrl.training import examples
 from nppg.shipped import locate
 from nppg.space import Space
 
 BIAS = LanguageBias.load(locate("noisy_blocks", "language_bias", ".yaml"))
+HEAD = ":- module(odd, []).\n:- fluent at/1.\nstart([at(1)]).\naction(go).\neffect(go, [], []).\ngoal :- at(2).\n"
 
 
 def noisy(noise: float) -> Domain:
@@ -92,13 +98,80 @@ def test_without_an_observation_the_state_is_seen(four_blocks: Domain, plain_bia
     assert episode.last is episode.actual
 
 
+def altered(path: Path, observation: str) -> Domain:
+    """The blocks world, seen like this."""
+    path.write_text(locate("blocks_world", "domains", ".pl").read_text() + f"\n{observation}\n")
+    return Domain(path, {"blocks": 4})
+
+
+def test_who_sees_all_learns_as_without_an_observation(
+    tmp_path: Path, four_blocks: Domain, plain_bias: LanguageBias
+) -> None:
+    """To the bit, for nothing is drawn."""
+    shown = "observation([goal_on(A, B)|Facts]) :- goal_on(A, B), findall(on(X, Y), on(X, Y), Facts)."
+    options = Options(episodes=150, seed=3, min_examples=50)
+    runs = [
+        [(each.episodes, each.recent) for each in iterations]
+        for iterations in (
+            list(train(domain, plain_bias, options)) for domain in (four_blocks, altered(tmp_path / "seen.pl", shown))
+        )
+    ]
+    assert len(runs[0]) == len(runs[1]) > 3
+    for (count, plain), (seen_count, seen) in zip(*runs, strict=True):
+        assert count == seen_count and len(plain) == len(seen)
+        for one, other in zip(plain, seen, strict=True):
+            assert (one.last, one.actual, one.success) == (other.last, other.actual, other.success)
+            for step, same in zip(one.steps, other.steps, strict=True):
+                assert (step.state, step.chosen, step.reward) == (same.state, same.chosen, same.reward)
+                assert step.potentials.tobytes() == same.potentials.tobytes()
+
+
+@pytest.mark.parametrize("learner", ["tg", "rib", "trendi"])
+def test_value_functions_are_about_what_is_seen(learner: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Examples, and the last state of an episode that runs out of steps."""
+    domain, asked = noisy(0.3), []
+    options = LEARNERS[learner](episodes=40, seed=0)
+    original = QFunction.potentials
+
+    def potentials(self: QFunction, state: State, actions: list) -> np.ndarray:
+        asked.append(state)
+        return original(self, state, actions)
+
+    monkeypatch.setattr(QFunction, "potentials", potentials)
+    for iteration in train(domain, BIAS, options):
+        for episode in iteration.recent:
+            found = examples(episode, iteration.policy)  # type: ignore[arg-type]
+            assert [each.state for each in found] == [step.state for step in reversed(episode.steps)]
+            if episode.open:
+                assert asked[-1] is episode.last
+    assert asked and not any(fact[0] == "on" for state in asked for fact in state)
+
+
+def test_the_goal_template_is_asked_in_what_is_seen(tmp_path: Path, plain_bias: LanguageBias) -> None:
+    domain = altered(tmp_path / "hidden.pl", "observation(Facts) :- findall(on(X, Y), on(X, Y), Facts).")
+    with pytest.raises(NppgError, match=r"goal_on/2 is the goal template .* must have one answer, but has 0") as caught:
+        generate_episode(Policy(domain, plain_bias), np.random.default_rng(0))
+    assert str(caught.value).count("\n") == 0
+
+
+def test_a_draw_elsewhere_is_no_observation(tmp_path: Path) -> None:
+    path = tmp_path / "odd.pl"
+    path.write_text(f"{HEAD}observation([at(F)]) :- random(F).\npicture([F]) :- random(F).\n")
+    domain, rng = Domain(path), np.random.default_rng(0)
+    state = domain.start(rng)
+    assert domain.observe(state, rng) != domain.observe(state, rng)
+    with pytest.raises(NppgError, match=r"which only start/1, effects, reward/2 and observation/1 may") as caught:
+        domain.picture(state)
+    assert caught.value.problems[0].line == 8
+
+
 def test_exact_evaluation_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     path = tmp_path / "blocks.pl"
-    path.write_text(locate("blocks_world", "domains", ".pl").read_text() + "\nobservation([goal_on(b1, b2)]).\n")
-    domain = Domain(path, {"blocks": 3})
+    domain = altered(path, "observation([goal_on(b1, b2)]).")
     assert domain.uniform_start and not domain.is_countable
-    with pytest.raises(NppgError, match=r"see states as they are, not what observation/1 draws"):
-        Space(domain)
+    for refused in (domain, noisy(0.1)):
+        with pytest.raises(NppgError, match=r"see states as they are, not what observation/1 draws"):
+            Space(refused)
     bias = locate("blocks_world", "language_bias", ".yaml")
     output = str(tmp_path / "run")
     settings = ["--bias", str(bias), "--set", "blocks=3", "--episodes", "60", "--output", output]
@@ -121,8 +194,7 @@ def test_exact_evaluation_is_refused(tmp_path: Path, capsys: pytest.CaptureFixtu
 )
 def test_mistakes_are_located(tmp_path: Path, clause: str, message: str) -> None:
     path = tmp_path / "odd.pl"
-    head = ":- module(odd, []).\n:- fluent at/1.\nstart([at(1)]).\naction(go).\neffect(go, [], []).\ngoal :- at(2).\n"
-    path.write_text(f"{head}{clause}\n")
+    path.write_text(f"{HEAD}{clause}\n")
     domain, rng = Domain(path), np.random.default_rng(0)
     with pytest.raises(NppgError, match=message) as caught:
         domain.observe(domain.start(rng), rng)

@@ -1,12 +1,14 @@
 :- use_module('../../prolog/domain').
 :- use_module('../../prolog/interpretation').
 
-:- dynamic ferry/1, ferry_file/1, blocks_file/1.
+:- dynamic ferry/1, ferry_file/1, blocks_file/1, noisy_file/1.
 :- prolog_load_context(directory, Directory),
    atom_concat(Directory, '/../domains/ferry.pl', File),
    assertz(ferry_file(File)),
    atom_concat(Directory, '/../../domains/blocks_world.pl', Blocks),
-   assertz(blocks_file(Blocks)).
+   assertz(blocks_file(Blocks)),
+   atom_concat(Directory, '/../../domains/noisy_blocks.pl', Noisy),
+   assertz(noisy_file(Noisy)).
 
 :- begin_tests(domain, [ setup((load([], M), assertz(user:ferry(M)))),
                          cleanup((retract(user:ferry(M)), unload_domain(M))) ]).
@@ -18,6 +20,20 @@ load(Parameters, Module) :-
 blocks(Module) :-
     user:blocks_file(File),
     load_domain(File, [], Module, _).
+
+noisy(Noise, Module) :-
+    user:noisy_file(File),
+    load_domain(File, [[noise, Noise]], Module, _).
+
+%   Numbers are drawn as under nppg.prolog.randomness.
+
+seeded(Goal) :-
+    py_call('numpy.random':default_rng(0), Generator),
+    py_call('nppg.prolog':randomness(Generator), Context),
+    setup_call_cleanup(py_call(Context:'__enter__'()), once(Goal),
+                       py_call(Context:'__exit__'(@(none), @(none), @(none)))).
+
+towers([on(a, floor), on(b, floor), on(c, a), goal_on(a, b)]).
 
 at([boat(left), fuel(3), car(c1, left), car(c2, left)]).
 
@@ -83,6 +99,25 @@ test(no_single_binding, throws(nppg_fault(_, _-[2]))) :-
 test(parts, [setup(blocks(Blocks)), cleanup(unload_domain(Blocks)), Parts == [[a, c], [b]]]) :-
     interpret(Blocks, [on(a, floor), on(b, floor), on(c, a), goal_on(a, b)]),
     parts(Blocks, Parts).
+test(observation, [setup(noisy(0.0, Noisy)), cleanup(unload_domain(Noisy)), Facts-Now == Sorted-State]) :-
+    towers(Towers),
+    sort(Towers, State),
+    interpret(Noisy, State),
+    seeded(observation(Noisy, Facts)),
+    sort([goal_on(a, b), looks_clear(b), looks_clear(c), together(a, c), together(c, a)], Sorted),
+    interpretation(Noisy, Now).
+test(opposite_observation, [setup(noisy(1.0, Noisy)), cleanup(unload_domain(Noisy)), Clear == [a]]) :-
+    towers(Towers),
+    sort(Towers, State),
+    interpret(Noisy, State),
+    seeded(observation(Noisy, Facts)),
+    findall(Block, member(looks_clear(Block), Facts), Clear).
+test(unseeded_observation, [setup(noisy(0.1, Noisy)), cleanup(unload_domain(Noisy)),
+                            throws(nppg_fault(Noisy:(observation/1), nppg_unseeded))]) :-
+    towers(Towers),
+    sort(Towers, State),
+    interpret(Noisy, State),
+    observation(Noisy, _).
 test(two_instances, [cleanup(unload_domain(Other)), true(Here-There == [c1, c2]-[])]) :-
     ferry(M), at(Facts),
     load([], Other),
