@@ -98,8 +98,6 @@ def from_clause(head: list, body: list[list], value: float, bias: LanguageBias) 
 def _is_finite(arg: ArgumentData) -> bool:
     """Whether an argument is a number that can be a threshold, to the bit."""
     match arg:
-        case [bool()]:
-            return False
         case [int(number)] | [float(number)]:
             return abs(number) <= sys.float_info.max and float(number) == number
     return False

@@ -131,7 +131,7 @@ class _Splits:
         self._candidates, self._last = np.nonzero(cuts)  # of each split, and the position of the last covered example
         low, high = ordered[self._last, self._candidates], ordered[self._last + 1, self._candidates]
         middle = low / 2 + high / 2
-        limits = np.where((middle < high) & np.isfinite(middle), middle, low)
+        limits = np.where(middle < high, middle, low)
         self._limits = np.maximum(limits, -sys.float_info.max)  # a threshold is finite
 
     def sums(self, weights: np.ndarray) -> np.ndarray:

@@ -57,7 +57,7 @@ max_variables: 3
 types: {near: [item, item], weight: [item, mass], red: [item]}
 modes:
   - {literal: "near(+item, -item)", lookahead: 2}
-  - {literal: "weight(+item, -mass)", lookahead: 1}
+  - {literal: "weight(+item, -mass)", lookahead: 2}
   - red(+)
   - "+mass =< #"
   - "+mass >= #"
@@ -281,6 +281,9 @@ def test_what_thresholds_a_query_has_does_not_matter(bias_of) -> None:
         query = random_query(refiner, 4, Random(seed))
         several += len({each.args[1] for each in query if each.name in OPEN}) > 1
         refiner = Refiner(refiner.bias)
+        for each in refiner.refinements(query):
+            assert set(each.prefix) <= set(query) and form(each.prefix + each.literals, refiner) == set(each.test)
+            assert not any(map(is_open, each.literals[:-1]))  # one threshold at a time
         expected = [
             Refinement(each.literals, shifted(each.test), shifted(each.prefix)) for each in refiner.refinements(query)
         ]
