@@ -442,12 +442,15 @@ def valid(text: str) -> bool:
     return bool(jsonschema.Draft202012Validator(SCHEMA).is_valid(plain(yaml.compose(text))))
 
 
+ABLATED = ("rover_numeric.yaml", "rover_relational.yaml")  # halves of a language, to compare and not to explain
+
+
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
 def test_shipped_files(path: Path) -> None:
     text = path.read_text()
     assert text.startswith("# yaml-language-server: $schema=schema.json\n") and valid(text)
     bias = LanguageBias.load(path)
-    assert set(bias.sentences) == set(bias.types)
+    assert set(bias.sentences) == (set(bias.types) if path.name not in ABLATED else set())
     if not path.name.startswith("blocks_world"):
         return
     assert bias.roots == ("block", "place", "block", "block")
