@@ -143,6 +143,12 @@ def _summary(points: list[Point], chosen: argparse.Namespace) -> str:
     )
 
 
+def _apart(points: list[Point]) -> int:
+    """Episodes between two points of a curve."""
+    first, second, *_ = sorted({p.episode for p in points})
+    return second - first
+
+
 def _spread(values: list[float]) -> str:
     return f"{mean(values):.3f} ± {pstdev(values):.3f}"
 
@@ -164,7 +170,8 @@ def _draw(points: list[Point], path: Path) -> None:
         axes.set(xlabel="episodes", ylabel=f"{label} of the stochastic policy")
         axes.grid(alpha=0.3)
     both[0].legend(loc="lower right", frameon=False)
-    figure.suptitle("rover: mean and standard deviation of the seeds")
+    seeds = len({p.seed for p in points})
+    figure.suptitle(f"rover: mean and standard deviation of {seeds} seeds, a point every {_apart(points)} episodes")
     figure.savefig(path, dpi=110)
 
 

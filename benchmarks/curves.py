@@ -13,11 +13,14 @@ from dataclasses import replace
 from pathlib import Path
 from statistics import mean
 
+import numpy as np
+
 from nppg import Domain, LanguageBias, Options, run
 from nppg.runs import Progress, title
 from nppg.shipped import locate
 
-_GROWTHS = ("examples_growth", "regularisation_growth")
+_OPTIONS = ("step", "min_examples", "examples_growth", "regularisation_growth", "clip", "replay")
+_GRID = 50  # episodes between two points of a mean
 
 
 def main() -> None:
@@ -25,14 +28,14 @@ def main() -> None:
     parser.add_argument("domain")
     parser.add_argument("--seeds", type=int, default=10, help="seeds 0 to N - 1")
     parser.add_argument("--episodes", type=int, default=Options().episodes)
-    parser.add_argument("--step", default=Options().step)
-    for each in _GROWTHS:
-        parser.add_argument(f"--{each.replace('_', '-')}", type=float, default=0.0)
+    for each in _OPTIONS:
+        default = getattr(Options(), each)
+        parser.add_argument(f"--{each.replace('_', '-')}", type=type(default), default=default)
     parser.add_argument("--beside", type=Path, metavar="CSV", help="curves of other runs, whose mean is drawn too")
     parser.add_argument("--output", type=Path, required=True)
     chosen = parser.parse_args()
     chosen.output.mkdir(parents=True, exist_ok=True)
-    options = Options(chosen.episodes, step=chosen.step, **{each: getattr(chosen, each) for each in _GROWTHS})
+    options = Options(chosen.episodes, **{each: getattr(chosen, each) for each in _OPTIONS})
     runs = [_learn(chosen.domain, replace(options, seed=seed)) for seed in range(chosen.seeds)]
     _write_csv(runs, chosen.output / "curves.csv")
     _write_summary(runs, chosen, chosen.output / "README.md")
@@ -114,8 +117,8 @@ def _first(runs: list[Progress]) -> str:
 
 def _command(chosen: argparse.Namespace) -> str:
     words = [f"python -m benchmarks.curves {chosen.domain} --seeds {chosen.seeds} --episodes {chosen.episodes}"]
-    words += [f"--step {chosen.step}"] if chosen.step != Options().step else []
-    words += [f"--{each.replace('_', '-')} {value}" for each in _GROWTHS if (value := getattr(chosen, each))]
+    given = [(each, getattr(chosen, each)) for each in _OPTIONS]
+    words += [f"--{each.replace('_', '-')} {value}" for each, value in given if value != getattr(Options(), each)]
     words += [f"--beside {chosen.beside}"] if chosen.beside else []
     return " ".join([*words, f"--output {chosen.output}"])
 
@@ -132,20 +135,20 @@ def _draw(runs: list[Progress], beside: Path | None, path: Path) -> None:
     from matplotlib import pyplot
 
     figure, axes = pyplot.subplots(figsize=(8, 4.5), layout="constrained")
-    for each in runs:
+    for number, each in enumerate(runs):
         axes.plot(
             [point.episode for point in each.curve],
             [point.success for point in each.curve],
             color="C0",
             alpha=0.35,
             linewidth=1,
+            label=None if number else "each run",
         )
-    grid = [sum(values) / len(runs) for values in zip(*(_at_grid(each) for each in runs), strict=True)]
-    axes.plot(range(0, 50 * len(grid), 50), grid, color="C0", linewidth=2.5, label=f"mean of {len(runs)} seeds")
+    means = _means([[(point.episode, point.success) for point in each.curve] for each in runs])
+    axes.plot(*means, color="C0", linewidth=2.5, label=f"mean of {len(runs)} seeds")
     if beside:
-        others = _means(beside)
-        axes.plot(*zip(*others, strict=True), color="C1", linewidth=2, label=f"mean of the runs in {beside.parent}")
-    axes.axhline(0.99, color="grey", linestyle=":", linewidth=1)
+        axes.plot(*_means(_read(beside)), color="C1", linewidth=2, label=f"mean of the runs in {beside.parent}")
+    axes.axhline(0.99, color="grey", linestyle=":", linewidth=1, label="0.99")
     axes.set(xlabel="episodes", ylabel="success of the stochastic policy", ylim=(-0.02, 1.02))
     axes.set_title(title(runs[0].policy.domain))
     axes.grid(alpha=0.3)
@@ -153,21 +156,19 @@ def _draw(runs: list[Progress], beside: Path | None, path: Path) -> None:
     figure.savefig(path, dpi=110)
 
 
-def _means(path: Path) -> list[tuple[int, float]]:
-    """The mean success at every fiftieth episode of the runs in a CSV file of this program."""
+def _read(path: Path) -> list[list[tuple[int, float]]]:
+    """The curves in a CSV file of this program: the episodes and success of each run."""
+    curves: dict[str, list[tuple[int, float]]] = {}
     with path.open() as file:
-        rows = [(int(row["seed"]), int(row["episode"]), float(row["success"])) for row in csv.DictReader(file)]
-    grid = range(0, max(episode for _, episode, _ in rows) + 1, 50)
-    seeds = {seed for seed, _, _ in rows}
-    return [
-        (at, mean(max(row[1:] for row in rows if row[0] == seed and row[1] <= at)[1] for seed in seeds)) for at in grid
-    ]
+        for row in csv.DictReader(file):
+            curves.setdefault(row["seed"], []).append((int(row["episode"]), float(row["success"])))
+    return list(curves.values())
 
 
-def _at_grid(progress: Progress) -> list[float]:
-    """The success at every fiftieth episode: that of the last point before."""
-    grid = range(0, progress.episodes + 1, 50)
-    return [max((p.episode, p.success) for p in progress.curve if p.episode <= max(at, 0))[1] for at in grid]
+def _means(curves: list[list[tuple[int, float]]]) -> tuple[np.ndarray, np.ndarray]:
+    """The grid's episodes, and the mean success there of curves that are straight between their points."""
+    grid = np.arange(0, min(curve[-1][0] for curve in curves) + 1, _GRID)
+    return grid, np.mean([np.interp(grid, *zip(*curve, strict=True)) for curve in curves], axis=0)
 
 
 if __name__ == "__main__":

@@ -115,6 +115,9 @@ def _write_summary(
     losses = ", ".join(
         f"{mean(tested[0.0, 0.0]) - mean(tested[noise, noise]):.3f} at noise {noise:g}" for noise in _NOISES[1:]
     )
+    gains = ", ".join(
+        f"{mean(tested[noise, noise]) - mean(tested[0.0, noise]):+.3f} at noise {noise:g}" for noise in _NOISES[1:]
+    )
     options = ", ".join(f"{name} = {value}" for name, value in _OPTIONS.items())
     lines = [
         "# What is lost by seeing badly",
@@ -134,6 +137,7 @@ def _write_summary(
         *rows,
         "",
         f"The loss against full observation (noise 0 in learning and test): {losses}.",
+        f"What learning under the noise of the test gains over learning without noise: {gains}.",
     ]
     path.write_text("\n".join(lines) + "\n")
 

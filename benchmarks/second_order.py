@@ -23,6 +23,16 @@ SETTINGS: list[tuple[str, dict]] = [
     ("importance 0.25", {"importance": 0.25}),
     ("importance 0", {"importance": 0.0}),
     ("replay of 100 steps", {"replay": 100}),
+    (
+        "small trees, replay of 20",
+        {
+            "min_examples": 30,
+            "examples_growth": 0.03,
+            "regularisation_growth": 0.02,
+            "clip": 1.5,
+            "replay": 20,
+        },
+    ),
 ]
 
 

@@ -13,7 +13,8 @@ from nppg.language_bias import LanguageBias
 from nppg.refinement import Refiner
 
 _STARTS = 10
-_STEPS = 5
+_STEPS = 5  # at random; the domain's expert may take more, where it has one
+_EXPERT_STEPS = 30
 
 
 def check(
@@ -45,18 +46,21 @@ def _tried(domain: Domain, bias: LanguageBias) -> Iterator[Problem]:
     rng = np.random.default_rng(0)
     try:
         table = root_table(domain, bias, Refiner(bias))
-        for _ in range(_STARTS):
+        for start in range(_STARTS):
             state = domain.start(rng)
             domain.horizon(state)
-            for _ in range(_STEPS):
+            for step in range(_EXPERT_STEPS):
                 situation = domain.situation(state)
                 if situation.status != "running":
                     break
-                domain.expert_actions(state)
+                advised = domain.expert_actions(state)
                 domain.picture(state)
                 domain.parts(state)
                 table.answers(domain.observe(state, rng), situation.actions)
-                chosen = situation.actions[int(rng.random() * len(situation.actions))]
+                if step >= _STEPS and (start % 2 or not advised):
+                    break
+                among = situation.actions if start % 2 or not advised else advised
+                chosen = among[int(rng.random() * len(among))]
                 tried = [chosen] if domain.environment else situation.actions  # an environment goes one way only
                 state = {action: domain.act(state, action, rng)[1] for action in tried}[chosen]
     except NppgError as error:

@@ -1,4 +1,4 @@
-"""The command line: a thin face over the public interface."""
+"""Learn to act in structured worlds by non-parametric policy gradients, and read what was learned as rules."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from nppg.shipped import locate, shipped
 if TYPE_CHECKING:
     from nppg.domain import Domain, State
     from nppg.policy import Policy
-    from nppg.runs import Progress
+    from nppg.runs import Point, Progress
 
 _LIMITS = {
     "max_depth": "tests on the longest path of a tree",
@@ -328,11 +328,18 @@ def _reporter(options: Common) -> Callable[[Progress], None]:
             stochastic, greedy = progress.judged(point)
             print(
                 f"episode {point.episode:5d}  {sizes(progress.policy)}  {progress.measure} {stochastic:.4f} "
-                f"(greedy {greedy:.4f})  {point.seconds:.1f} s",
+                f"(greedy {greedy:.4f})  {_returns(progress, point)}{point.seconds:.1f} s",
                 flush=True,
             )
 
     return show
+
+
+def _returns(progress: Progress, point: Point) -> str:
+    """What a point's line says of returns, where success is the measure and does not tell them."""
+    if progress.measure == "return" or point.mean_return is None or math.isclose(point.mean_return, point.success):
+        return ""
+    return f"return {point.mean_return:.2f} (greedy {point.greedy_return:.2f})  "
 
 
 def _reproduce(options: argparse.Namespace) -> int:

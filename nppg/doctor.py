@@ -73,6 +73,7 @@ def _checks() -> Iterator[Check]:
     yield from map(_shipped, ("prolog", "domains", "language_bias"))
     yield _extra("matplotlib", "plot", "learning curves as pictures")
     yield _extra("scipy", "rrl", "the distance of RIB and TRENDI")
+    yield _extra("scikit-learn", "cart", "CART as a regression learner")
     yield _extra("gymnasium", "gym", "its environments as domains")
     yield _extra("tqdm", "progress", "progress bars")
 

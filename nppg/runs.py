@@ -295,7 +295,9 @@ def _draw(progress: Progress, path: Path) -> bool:
     stochastic, greedy = zip(*map(progress.judged, progress.curve), strict=True)
     axes.plot(episodes, stochastic, label=f"stochastic policy, {exact}")
     axes.plot(episodes, greedy, label=f"greedy policy, {exact}", alpha=0.6)
-    axes.plot(episodes, [point.recent for point in progress.curve], ":", label="recent training episodes", color="grey")
+    played = [point for point in progress.curve if point.episode]
+    lately = [point.episode for point in played], [point.recent for point in played]
+    axes.plot(*lately, ":", label="recent training episodes", color="grey")
     axes.set(xlabel="episodes", ylabel=progress.measure, title=_title(progress))
     if progress.measure == "success":
         axes.set(ylim=(-0.02, 1.02))

@@ -39,6 +39,15 @@ def test_the_worked_example_is_learned_and_its_first_tree_is_the_one_shown(
     assert '"success": 1.0' in capsys.readouterr().out
 
 
+def test_a_mistake_that_shows_late_is_found_where_the_expert_goes(
+    treasure: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = treasure / "treasure.pl"
+    file.write_text("\n".join(line for line in file.read_text().splitlines() if "effect(unlock" not in line))
+    assert main(["check", "treasure.pl"]) == 2
+    assert "action/1 allows unlock, which no effect covers" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("number", [0, 1])
 def test_the_ten_lines_give_what_stands_below_them(tmp_path: Path, number: int) -> None:
     code, shown = blocks("python")[number], blocks("text")[number].strip().splitlines()
