@@ -6,6 +6,8 @@ test of its column, with a threshold where the answer is a number, and the tree 
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from nppg.errors import NppgError
@@ -19,6 +21,18 @@ from nppg.tree import Node, Tree
 _LARGEST = float(np.finfo(np.float32).max)  # scikit-learn rounds what it splits to single precision
 
 
+def scikit_learn(limits: TreeLimits) -> Any:
+    """An unfitted tree with these limits. Raises NppgError where scikit-learn is missing, or for a limit that it does
+    not know."""
+    try:
+        from sklearn.tree import DecisionTreeRegressor
+    except ImportError:
+        raise NppgError("CART needs scikit-learn: pip install 'nppg[cart]'") from None
+    if limits.granularity:
+        raise NppgError("CART tries every cut point: the limit granularity is TILDE's")
+    return DecisionTreeRegressor(max_depth=limits.max_depth, min_samples_leaf=limits.min_examples, random_state=0)
+
+
 def grow(
     targets: np.ndarray,
     rows: np.ndarray,
@@ -28,15 +42,9 @@ def grow(
     query: Query = (),
 ) -> Tree:
     """Grows a tree for one target per row of answers: of means, or for a second-order step; below `query`, which holds
-    for all. The splits of the latter
-    are those of the targets f / h weighted by h; `regularisation` and `clip` are a matter of the leaves. Raises
-    NppgError where scikit-learn is missing, or for a limit that it does not know."""
-    try:
-        from sklearn.tree import DecisionTreeRegressor
-    except ImportError:
-        raise NppgError("CART needs scikit-learn: pip install 'nppg[cart]'") from None
-    if limits.granularity:
-        raise NppgError("CART tries every cut point: the limit granularity is TILDE's")
+    for all. The splits of the latter are those of the targets f / h weighted by h; `regularisation` and `clip` are a
+    matter of the leaves. Raises NppgError as scikit_learn() does."""
+    unfitted = scikit_learn(limits)
     every = np.arange(len(targets))
     if limits.max_depth == 0 or rows.size == 0:
         return leaf(targets, every, newton)
@@ -45,8 +53,7 @@ def grow(
     if newton:
         weights = np.maximum(newton.curvatures, 1e-12)
         wanted = targets / weights
-    grown = DecisionTreeRegressor(max_depth=limits.max_depth, min_samples_leaf=limits.min_examples, random_state=0)
-    found = grown.fit(np.minimum(numbers, _LARGEST), wanted, sample_weight=weights).tree_
+    found = unfitted.fit(np.minimum(numbers, _LARGEST), wanted, sample_weight=weights).tree_
 
     def node(number: int, query: Query, members: np.ndarray, asked: dict[int, Query]) -> Tree:
         column = int(found.feature[number])

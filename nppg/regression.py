@@ -70,6 +70,7 @@ class Cart:
     """CART among the tests that TILDE has at the root; see nppg.cart."""
 
     def __init__(self, domain: Domain, bias: LanguageBias):
+        cart.scikit_learn(bias.tree)  # what is wrong is said before anything is played
         self.table = root_table(domain, bias, Refiner(bias))
         self.limits = bias.tree
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from samples import pairs, visited
 
-from nppg import cart, tilde
+from nppg import Options, cart, tilde, train
 from nppg.coverage import Coverage, root_table
 from nppg.domain import Domain
 from nppg.errors import NppgError
@@ -157,3 +157,5 @@ def test_scikit_learn_is_missing(slope, monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setitem(__import__("sys").modules, "sklearn.tree", None)
     with pytest.raises(NppgError, match=r"needs scikit-learn: pip install 'nppg\[cart\]'"):
         cart.grow(targets, coverage.bits, coverage.table, TreeLimits())
+    with pytest.raises(NppgError, match="needs scikit-learn"):  # before an episode is played
+        next(train(coverage.table.domain, coverage.table.bias, Options(regressor="cart")))
