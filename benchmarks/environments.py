@@ -47,7 +47,13 @@ TASKS = (
     Task("CartPole-v1", 150_000, TreeLimits(4, 50), seeds=5, options={"min_examples": 4000}),
     Task("Acrobot-v1", 120_000, TreeLimits(4, 50)),
     Task("FrozenLake-v1", 120_000, TreeLimits(5, 20)),
-    Task("Taxi-v3", 300_000, TreeLimits(6, 20)),
+    Task(
+        "Taxi-v3",
+        300_000,
+        TreeLimits(8, 10),
+        seeds=3,
+        options={"models": "per-action", "min_examples": 20_000, "step_size": 1.0},
+    ),
 )
 
 
