@@ -46,7 +46,7 @@ def line(row: Row) -> str:
 
 
 def machine() -> str:
-    from nppg.prolog import ask
+    from nppg.bridge.prolog import ask
 
     return (
         f"{_processor()}, {os.cpu_count()} cores; {platform.system()}, Python {platform.python_version()}, "

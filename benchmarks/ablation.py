@@ -19,8 +19,8 @@ from typing import NamedTuple
 import numpy as np
 
 from nppg import Domain, LanguageBias, Options, evaluate, generate_episode, train
-from nppg.policy import Policy
-from nppg.shipped import locate
+from nppg.bridge.files import locate
+from nppg.policy.policy import Policy
 
 DOMAIN = "rover"
 BIASES = {"rover": "relations and numbers", "rover_relational": "relations", "rover_numeric": "numbers"}

@@ -10,9 +10,9 @@ from statistics import mean, pstdev
 
 from benchmarks.common import successes
 from nppg import Domain, LanguageBias
-from nppg.learners import LEARNERS
-from nppg.shipped import locate
-from nppg.space import Space
+from nppg.bridge.files import locate
+from nppg.experiments.learners import LEARNERS
+from nppg.judging.space import Space
 
 MARKS = (500, 1000, 1500, 2000)
 EXPLORATION: list[dict] = [

@@ -11,10 +11,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from nppg import LanguageBias, train
-from nppg.domain import Action, Domain, State
-from nppg.evaluation import ExactEvaluator
-from nppg.options import Common
-from nppg.space import Space
+from nppg.judging.evaluation import ExactEvaluator
+from nppg.judging.space import Space
+from nppg.learning.options import Common
+from nppg.worlds.domain import Action, Domain, State
 
 
 class Row(NamedTuple):

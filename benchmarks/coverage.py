@@ -10,10 +10,10 @@ import numpy as np
 
 from benchmarks.common import Row, random_pairs, timed
 from nppg import Domain, LanguageBias
-from nppg.coverage import Coverage, root_table
-from nppg.logic import Literal, Query, Var
-from nppg.refinement import Refiner
-from nppg.shipped import locate
+from nppg.answers.coverage import Coverage, root_table
+from nppg.bias.refinement import Refiner
+from nppg.bridge.files import locate
+from nppg.logic.query import Literal, Query, Var
 
 STATES = 1000
 ALONE = 50  # every so many states are asked one by one as well

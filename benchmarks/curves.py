@@ -16,8 +16,8 @@ from statistics import mean
 import numpy as np
 
 from nppg import Domain, LanguageBias, Options, run
-from nppg.runs import Progress, title
-from nppg.shipped import locate
+from nppg.bridge.files import locate
+from nppg.experiments.runs import Progress, title
 
 _OPTIONS = ("step", "min_examples", "examples_growth", "regularisation_growth", "clip", "replay")
 _GRID = 50  # episodes between two points of a mean

@@ -11,10 +11,10 @@ from pathlib import Path
 
 from benchmarks.common import timed
 from nppg import Domain, LanguageBias, Options, train
-from nppg.distill import distill
-from nppg.evaluation import ExactEvaluator
-from nppg.policy import Policy
-from nppg.shipped import locate
+from nppg.bridge.files import locate
+from nppg.judging.evaluation import ExactEvaluator
+from nppg.policy.policy import Policy
+from nppg.rules.distill import distill
 
 RULES = 10
 

@@ -13,10 +13,10 @@ from statistics import mean, pstdev
 from typing import NamedTuple
 
 from nppg import Domain, LanguageBias, Options, train
-from nppg.evaluation import ExactEvaluator
-from nppg.optimum import ReturnEvaluator
-from nppg.shipped import locate
-from nppg.space import Space
+from nppg.bridge.files import locate
+from nppg.judging.evaluation import ExactEvaluator
+from nppg.judging.optimum import ReturnEvaluator
+from nppg.judging.space import Space
 
 _OPTIONS = {
     "step": "second-order",

@@ -13,8 +13,8 @@ from pathlib import Path
 from statistics import mean, pstdev
 
 from nppg import Domain, LanguageBias, Options, Policy, evaluate, run
-from nppg.runs import Progress
-from nppg.shipped import locate
+from nppg.bridge.files import locate
+from nppg.experiments.runs import Progress
 
 _NOISES = (0.0, 0.1, 0.3)
 _OPTIONS = {"step": "second-order", "min_examples": 500}

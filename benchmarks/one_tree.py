@@ -15,11 +15,11 @@ import numpy as np
 
 from benchmarks.common import Row, timed
 from nppg import Domain, LanguageBias
-from nppg.coverage import Coverage, root_table
-from nppg.refinement import Refiner
-from nppg.table import TestTable
-from nppg.tilde import Example, fit
-from nppg.tree import Leaf, Tree
+from nppg.answers.coverage import Coverage, root_table
+from nppg.answers.table import TestTable
+from nppg.bias.refinement import Refiner
+from nppg.trees.tilde import Example, fit
+from nppg.trees.tree import Leaf, Tree
 
 LIMITS = {130: 0.03, 1000: 0.5, 5000: 2.0, 20_000: 10.0}  # examples: seconds
 HELD_OUT = 2000

@@ -13,10 +13,10 @@ import numpy as np
 
 from benchmarks.common import Row, random_pairs, timed
 from nppg import Domain, LanguageBias, Options, Policy, train
-from nppg.coverage import root_table
-from nppg.domain import Action, State
-from nppg.refinement import Refiner
-from nppg.shipped import locate
+from nppg.answers.coverage import root_table
+from nppg.bias.refinement import Refiner
+from nppg.bridge.files import locate
+from nppg.worlds.domain import Action, State
 
 SIZES = (100, 500, 2000)
 STATES = 2000

@@ -8,36 +8,36 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-import nppg.episode
-import nppg.evaluation
-import nppg.prolog
-import nppg.regression
-import nppg.tilde
-import nppg.training
+import nppg.bridge.prolog
+import nppg.judging.evaluation
+import nppg.learning.episode
+import nppg.learning.regressors
+import nppg.learning.training
+import nppg.trees.tilde
 from benchmarks.common import timed
 from benchmarks.training import learn
-from nppg.coverage import Coverage
-from nppg.forest import Forest
-from nppg.learners import LEARNERS
-from nppg.options import Common
-from nppg.policy import Policy
-from nppg.refinement import Refiner
+from nppg.answers.coverage import Coverage
+from nppg.answers.table import TestTable
+from nppg.bias.refinement import Refiner
+from nppg.experiments.learners import LEARNERS
+from nppg.learning.options import Common
+from nppg.policy.forest import Forest
+from nppg.policy.policy import Policy
 from nppg.rrl.distance import PairDistance
 from nppg.rrl.instance_tree import InstanceTree
 from nppg.rrl.instances import Instances
 from nppg.rrl.tg import TG
-from nppg.table import TestTable
 
 STAGES: list[tuple[Any, str, str]] = [
-    (nppg.episode, "generate_episode", "the loop of an episode, choosing"),
+    (nppg.learning.episode, "generate_episode", "the loop of an episode, choosing"),
     (TestTable, "answers", "unpacking the answers"),
     (Forest, "sums", "summing the trees"),
-    (nppg.training, "examples", "the functional gradient"),
-    (nppg.regression, "grow", "growing a tree, the rest"),
+    (nppg.learning.training, "examples", "the functional gradient"),
+    (nppg.learning.regressors, "grow", "growing a tree, the rest"),
     (Refiner, "refinements", "refinements of a node"),
     (Coverage, "matrix", "gathering a node's answers"),
-    (nppg.tilde, "best_split", "the best split"),
-    (nppg.tilde, "best_step", "the best split of a second-order step"),
+    (nppg.trees.tilde, "best_split", "the best split"),
+    (nppg.trees.tilde, "best_step", "the best split of a second-order step"),
     (Policy, "add", "adding a tree: clauses and arrays"),
     (TG, "update", "statistics and splits of TG"),
     (InstanceTree, "predict", "predictions from instances"),

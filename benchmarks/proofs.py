@@ -16,10 +16,10 @@ from pathlib import Path
 
 from benchmarks.common import peak
 from nppg import Domain, LanguageBias, Options, Policy, train
-from nppg.distill import distill
-from nppg.proof import prove
-from nppg.shipped import locate
-from nppg.space import Space
+from nppg.bridge.files import locate
+from nppg.judging.space import Space
+from nppg.rules.distill import distill
+from nppg.rules.proof import prove
 
 EPISODES = 500
 BLOCKS = [6, 8, 10, 11, 12, 13, 14, 16, 18]

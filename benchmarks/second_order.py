@@ -10,8 +10,8 @@ from statistics import mean
 
 from benchmarks.common import successes
 from nppg import Domain, LanguageBias, Options
-from nppg.shipped import locate
-from nppg.space import Space
+from nppg.bridge.files import locate
+from nppg.judging.space import Space
 
 MARKS = (100, 200, 300, 500)
 SETTINGS: list[tuple[str, dict]] = [

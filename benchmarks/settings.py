@@ -10,9 +10,9 @@ from dataclasses import replace
 from statistics import mean
 
 from nppg import Domain, LanguageBias, Options, train
-from nppg.evaluation import ExactEvaluator
-from nppg.language_bias import Mode, TreeLimits
-from nppg.shipped import locate
+from nppg.bias.language_bias import Mode, TreeLimits
+from nppg.bridge.files import locate
+from nppg.judging.evaluation import ExactEvaluator
 
 CHOSEN = TreeLimits(max_depth=4, min_examples=1, min_variance=1e-9)
 SETTINGS: list[tuple[str, TreeLimits, dict, bool]] = [

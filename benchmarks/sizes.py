@@ -10,10 +10,10 @@ import time
 from pathlib import Path
 
 from nppg import Domain, LanguageBias, Options, evaluate, train
-from nppg.distill import distill
-from nppg.policy import Policy
-from nppg.shipped import locate
-from nppg.table import TestTable
+from nppg.answers.table import TestTable
+from nppg.bridge.files import locate
+from nppg.policy.policy import Policy
+from nppg.rules.distill import distill
 
 LEARNED = (4, 5, 6, 8, 10)
 TESTED = (10, 20, 50, 100)

@@ -12,8 +12,8 @@ from statistics import median
 from benchmarks import floor
 from benchmarks.common import Row, peak, timed
 from nppg import Domain, LanguageBias, Options, Policy, train
-from nppg.options import Common
-from nppg.shipped import locate
+from nppg.bridge.files import locate
+from nppg.learning.options import Common
 
 SEEDS = range(3)
 TIMES = 12

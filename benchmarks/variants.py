@@ -17,8 +17,8 @@ from statistics import mean, pstdev
 import numpy as np
 
 from nppg import Domain, LanguageBias, Options, Policy, evaluate_exactly, train
-from nppg.corridor import Corridor
-from nppg.shipped import locate
+from nppg.bridge.files import locate
+from nppg.experiments.corridor import Corridor
 
 
 @dataclass(frozen=True)

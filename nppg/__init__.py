@@ -8,51 +8,53 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from nppg.domain import Domain
-    from nppg.episode import Episode, generate_episode
-    from nppg.errors import NppgError
-    from nppg.evaluation import Evaluation, evaluate, evaluate_exactly
-    from nppg.language_bias import LanguageBias
-    from nppg.learners import train
-    from nppg.opening import language_bias_of, open_domain
-    from nppg.options import Options
-    from nppg.policy import Policy
-    from nppg.runs import run
+    from nppg.bias.language_bias import LanguageBias as LanguageBias
+    from nppg.errors import NppgError as NppgError
+    from nppg.experiments.runs import run as run
+    from nppg.experiments.train import train as train
+    from nppg.judging import optimum as optimum
+    from nppg.judging.evaluation import Evaluation as Evaluation
+    from nppg.judging.evaluation import evaluate as evaluate
+    from nppg.judging.evaluation import evaluate_exactly as evaluate_exactly
+    from nppg.learning.episode import Episode as Episode
+    from nppg.learning.episode import generate_episode as generate_episode
+    from nppg.learning.options import Options as Options
+    from nppg.policy.policy import Policy as Policy
+    from nppg.rrl.options import RIBOptions as RIBOptions
+    from nppg.rrl.options import TGOptions as TGOptions
+    from nppg.rrl.options import TrendiOptions as TrendiOptions
+    from nppg.rules.distill import distill as distill
+    from nppg.rules.proof import prove as prove
+    from nppg.trees import tilde as tilde
+    from nppg.worlds.domain import Domain as Domain
+    from nppg.worlds.opening import language_bias_of as language_bias_of
+    from nppg.worlds.opening import open_domain as open_domain
 
     __version__: str
 
 _HOME = {
-    "Domain": "domain",
-    "Episode": "episode",
-    "Evaluation": "evaluation",
-    "LanguageBias": "language_bias",
-    "NppgError": "errors",
-    "Options": "options",
-    "Policy": "policy",
-    "evaluate": "evaluation",
-    "evaluate_exactly": "evaluation",
-    "generate_episode": "episode",
-    "language_bias_of": "opening",
-    "open_domain": "opening",
-    "run": "runs",
-    "train": "learners",
+    "Domain": "nppg.worlds.domain",
+    "Episode": "nppg.learning.episode",
+    "Evaluation": "nppg.judging.evaluation",
+    "LanguageBias": "nppg.bias.language_bias",
+    "NppgError": "nppg.errors",
+    "Options": "nppg.learning.options",
+    "Policy": "nppg.policy.policy",
+    "RIBOptions": "nppg.rrl.options",
+    "TGOptions": "nppg.rrl.options",
+    "TrendiOptions": "nppg.rrl.options",
+    "distill": "nppg.rules.distill",
+    "evaluate": "nppg.judging.evaluation",
+    "evaluate_exactly": "nppg.judging.evaluation",
+    "generate_episode": "nppg.learning.episode",
+    "language_bias_of": "nppg.worlds.opening",
+    "open_domain": "nppg.worlds.opening",
+    "optimum": "nppg.judging",
+    "prove": "nppg.rules.proof",
+    "run": "nppg.experiments.runs",
+    "tilde": "nppg.trees",
+    "train": "nppg.experiments.train",
 }
-__all__ = [
-    "Domain",
-    "Episode",
-    "Evaluation",
-    "LanguageBias",
-    "NppgError",
-    "Options",
-    "Policy",
-    "evaluate",
-    "evaluate_exactly",
-    "generate_episode",
-    "language_bias_of",
-    "open_domain",
-    "run",
-    "train",
-]
 
 
 def __getattr__(name: str) -> object:
@@ -60,4 +62,10 @@ def __getattr__(name: str) -> object:
         return version("nppg")
     if name not in _HOME:
         raise AttributeError(f"module 'nppg' has no attribute '{name}'")
-    return getattr(import_module(f"nppg.{_HOME[name]}"), name)
+    home = _HOME[name]
+    found = vars(import_module(home)).get(name)
+    return import_module(f"{home}.{name}") if found is None else found
+
+
+def __dir__() -> list[str]:
+    return [*_HOME, "__version__"]

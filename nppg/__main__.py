@@ -2,6 +2,6 @@
 
 import sys
 
-from nppg.cli import main
+from nppg.cli.main import main
 
 sys.exit(main())

@@ -40,7 +40,7 @@ draws(0, []) :-
     !.
 draws(Count, Floats) :-
     (   \+ nb_current(nppg_draws, none),
-        py_call('nppg.prolog':uniform(Count), Floats),
+        py_call('nppg.bridge.prolog':uniform(Count), Floats),
         Floats \== none
     ->  true
     ;   throw(nppg_unseeded)

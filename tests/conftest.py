@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from nppg.coverage import root_table
-from nppg.domain import Domain
-from nppg.language_bias import LanguageBias
-from nppg.refinement import Refiner
-from nppg.shipped import shipped
-from nppg.space import Space
-from nppg.table import TestTable
+from nppg.answers.coverage import root_table
+from nppg.answers.table import TestTable
+from nppg.bias.language_bias import LanguageBias
+from nppg.bias.refinement import Refiner
+from nppg.bridge.files import shipped
+from nppg.judging.space import Space
+from nppg.worlds.domain import Domain
 
 settings.register_profile(
     "laws",

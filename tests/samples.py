@@ -11,12 +11,12 @@ from random import Random
 
 import numpy as np
 
-from nppg import prolog_home
-from nppg.domain import Action, Domain, Ground, State
-from nppg.language_bias import LanguageBias
-from nppg.logic import OPEN, Query, Var
-from nppg.refinement import KIND, Refinement, Refiner
-from nppg.tree import Leaf, Node, Rule, Tree
+from nppg.bias.language_bias import LanguageBias
+from nppg.bias.refinement import KIND, Refinement, Refiner
+from nppg.bridge import home as prolog_home
+from nppg.logic.query import OPEN, Query, Var
+from nppg.trees.tree import Leaf, Node, Rule, Tree
+from nppg.worlds.domain import Action, Domain, Ground, State
 
 Values = dict[Var, Ground | None]
 Relations = dict[str, set[tuple[Ground, ...]]]

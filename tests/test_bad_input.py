@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import nppg.prolog
+import nppg.bridge.prolog
 from nppg import Domain, LanguageBias, NppgError, Options, Policy, train
 
 PARTS = {
@@ -393,16 +393,16 @@ def test_dropped_domains_leave_little_behind() -> None:
 def test_what_python_drops_does_not_take_the_cause_of_an_abort(tmp_path: Path, monkeypatch) -> None:
     (tmp_path / "walk.pl").write_text(with_body("goal/0", "abort"))
     domain, others = Domain(tmp_path / "walk.pl"), [Domain("blocks_world")]
-    asked = nppg.prolog.janus_swi.apply_once
+    asked = nppg.bridge.prolog.janus_swi.apply_once
 
     def dropping(*args: object) -> object:
         try:
             return asked(*args)
-        except nppg.prolog.janus_swi.PrologError:
+        except nppg.bridge.prolog.janus_swi.PrologError:
             others.clear()
             raise
 
-    monkeypatch.setattr(nppg.prolog.janus_swi, "apply_once", dropping)
+    monkeypatch.setattr(nppg.bridge.prolog.janus_swi, "apply_once", dropping)
     with pytest.raises(NppgError, match=f"goal/0 {BODIES['abort']}"):
         play(domain)
     assert not others

@@ -9,7 +9,7 @@ from benchmarks import floor, one_tree
 from benchmarks.__main__ import line, splice
 from benchmarks.common import Row
 from nppg import Domain, LanguageBias
-from nppg.tilde import fit
+from nppg.trees.tilde import fit
 
 
 def test_the_floor_knows_the_world() -> None:

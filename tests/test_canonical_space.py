@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 from samples import visited
 
-from nppg.canonical import Canonizer
-from nppg.domain import Domain, Ground
 from nppg.errors import NppgError
-from nppg.space import Space
+from nppg.judging.canonical import Canonizer
+from nppg.judging.space import Space
+from nppg.worlds.domain import Domain, Ground
 
 
 def renamed(facts, names: dict) -> frozenset:

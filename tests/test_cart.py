@@ -8,14 +8,15 @@ import numpy as np
 import pytest
 from samples import pairs, visited
 
-from nppg import Options, cart, tilde, train
-from nppg.coverage import Coverage, root_table
-from nppg.domain import Domain
+from nppg import Options, train
+from nppg.answers.coverage import Coverage, root_table
+from nppg.bias.language_bias import LanguageBias, TreeLimits
+from nppg.bias.refinement import Refiner
 from nppg.errors import NppgError
-from nppg.language_bias import LanguageBias, TreeLimits
-from nppg.policy import Policy
-from nppg.refinement import Refiner
-from nppg.tree import Leaf, Node, Tree, leaves
+from nppg.policy.policy import Policy
+from nppg.trees import cart, tilde
+from nppg.trees.tree import Leaf, Node, Tree, leaves
+from nppg.worlds.domain import Domain
 
 tree_module = pytest.importorskip("sklearn.tree")
 

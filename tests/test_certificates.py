@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from nppg.cli import main
-from nppg.domain import Domain
-from nppg.evaluation import ExactEvaluator
-from nppg.language_bias import LanguageBias
-from nppg.policy import Policy
-from nppg.proof import prove
+from nppg.bias.language_bias import LanguageBias
+from nppg.cli.main import main
+from nppg.judging.evaluation import ExactEvaluator
+from nppg.policy.policy import Policy
+from nppg.rules.proof import prove
+from nppg.worlds.domain import Domain
 
 WALK = """
 :- module(walk, []).

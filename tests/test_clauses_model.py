@@ -11,15 +11,15 @@ import numpy as np
 import pytest
 from samples import in_plain_prolog, pairs, random_query, random_tree, term, value_of_list, visited
 
-from nppg.clauses import from_clause, to_clause
-from nppg.coverage import Coverage
-from nppg.domain import Domain
+from nppg.answers.coverage import Coverage
+from nppg.bias.language_bias import TreeLimits
 from nppg.errors import NppgError
-from nppg.language_bias import TreeLimits
-from nppg.logic import Literal, Var
-from nppg.policy import Policy
-from nppg.tilde import grow
-from nppg.tree import Leaf, Node, Rule
+from nppg.logic.query import Literal, Var
+from nppg.policy.policy import Policy
+from nppg.trees.clauses import from_clause, to_clause
+from nppg.trees.tilde import grow
+from nppg.trees.tree import Leaf, Node, Rule
+from nppg.worlds.domain import Domain
 
 
 @pytest.mark.parametrize("seed", range(4))

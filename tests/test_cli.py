@@ -17,7 +17,7 @@ from pathlib import Path
 
 import pytest
 
-from nppg.cli import main
+from nppg.cli.main import main
 
 COMMAND = [sys.executable, "-m", "nppg"]
 SMALL = ["--set", "blocks=4", "--episodes", "60", "--evaluate-every", "20"]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from nppg import Domain, NppgError
-from nppg.corridor import Corridor
+from nppg.experiments.corridor import Corridor
 
 
 @pytest.mark.parametrize(("mean", "switch"), [(0.0, 5.0), (1.0, 1.25), (-1.0, 8.75)])

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 from samples import pairs, random_query, relations, root_values, truth, visited
 
-from nppg.coverage import Coverage, root_table
-from nppg.domain import Action, Domain, State
+from nppg.answers.coverage import Coverage, root_table
+from nppg.answers.table import WORD, TestTable
+from nppg.bias.language_bias import LanguageBias
+from nppg.bias.refinement import KIND, Refinement, Refiner
 from nppg.errors import NppgError
-from nppg.language_bias import LanguageBias
-from nppg.logic import Literal, Query, Var
-from nppg.refinement import KIND, Refinement, Refiner
-from nppg.table import WORD, TestTable
+from nppg.logic.query import Literal, Query, Var
+from nppg.worlds.domain import Action, Domain, State
 
 
 def asked_one_by_one(domain: Domain, bias: LanguageBias, query: Query, state: State, action: Action) -> bool:

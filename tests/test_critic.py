@@ -7,14 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from nppg.critic import STATE, MonteCarlo, ValueFunction, critic
-from nppg.domain import Domain
-from nppg.episode import Episode, Step, generate_episode
-from nppg.gradient import returns
-from nppg.language_bias import LanguageBias
-from nppg.options import Options
-from nppg.policy import Policy
-from nppg.visits import Visit
+from nppg.bias.language_bias import LanguageBias
+from nppg.learning.critic import STATE, MonteCarlo, ValueFunction, critic
+from nppg.learning.episode import Episode, Step, generate_episode
+from nppg.learning.gradient import returns
+from nppg.learning.options import Options
+from nppg.learning.visits import Visit
+from nppg.policy.policy import Policy
+from nppg.worlds.domain import Domain
 
 OPTIONS = Options(critic="value", discount=0.9, trace=0.0, cut_off="bootstrap", critic_step_size=1.0)
 

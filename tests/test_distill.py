@@ -12,21 +12,21 @@ import numpy as np
 import pytest
 from samples import value_of_list, visited
 
-import nppg.distill
-from nppg import prolog_home
-from nppg.cli import main
-from nppg.coverage import root_table
-from nppg.distill import distill
-from nppg.domain import Domain
+import nppg.rules.distill
+from nppg.answers.coverage import root_table
+from nppg.bias.refinement import KIND, Refiner
+from nppg.bridge import home as prolog_home
+from nppg.cli.main import main
 from nppg.errors import NppgError
-from nppg.evaluation import ExactEvaluator, evaluate, evaluate_exactly
-from nppg.logic import deciding_tests
-from nppg.options import Options
-from nppg.policy import Policy
-from nppg.refinement import KIND, Refiner
-from nppg.tilde import grow
-from nppg.training import train
-from nppg.tree import Rule, from_rules, rules
+from nppg.judging.evaluation import ExactEvaluator, evaluate, evaluate_exactly
+from nppg.learning.options import Options
+from nppg.learning.training import train
+from nppg.logic.subsumption import deciding_tests
+from nppg.policy.policy import Policy
+from nppg.rules.distill import distill
+from nppg.trees.tilde import grow
+from nppg.trees.tree import Rule, from_rules, rules
+from nppg.worlds.domain import Domain
 
 
 def learned(domain: Domain, bias, episodes: int, seed: int = 0) -> Policy:
@@ -100,7 +100,7 @@ def test_rules_in_the_policy_are_their_list(
 ) -> None:
     domain = request.getfixturevalue(domain_name)
     bias = request.getfixturevalue("delivery_bias" if domain_name == "delivery" else "relational_bias")
-    monkeypatch.setattr(nppg.distill, "_EPISODES", 20)
+    monkeypatch.setattr(nppg.rules.distill, "_EPISODES", 20)
     distilled = distill(learned(domain, bias, 100), bias)
     ordered = list_of(distilled)
     used = set()
@@ -129,10 +129,10 @@ def test_pruning_never_loses_success(four_blocks: Domain, plain_bias) -> None:
             ordered.append(Rule(query, float(rng.integers(4))))
         ordered.append(Rule((), float(rng.integers(4))))
         before = lists.success(ordered)
-        pruned = nppg.distill._pruned(ordered, refiner, lists.success)
+        pruned = nppg.rules.distill._pruned(ordered, refiner, lists.success)
         after = lists.success(pruned)
         assert after >= before and all(lists.success(each) < after for each in shorter(pruned, refiner))
-        levelled = nppg.distill._levelled(pruned, lists.success)
+        levelled = nppg.rules.distill._levelled(pruned, lists.success)
         assert lists.success(levelled) >= after and [r.query for r in levelled] == [r.query for r in pruned]
         assert {rule.value for rule in levelled} <= {10.0 * i for i in range(len({rule.value for rule in pruned}))}
         dropped += sum(len(rule.query) + 1 for rule in ordered) - sum(len(rule.query) + 1 for rule in pruned)
@@ -161,7 +161,7 @@ def test_trees_are_grown_from_answers_to_all_tests_so_far(
         assert coverage.bits.shape == (len(targets), len(coverage.table))
         return grow(targets, coverage, *rest)
 
-    monkeypatch.setattr(nppg.distill, "grow", grown)
+    monkeypatch.setattr(nppg.rules.distill, "grow", grown)
     bias = bias_of(JOINS)
     for seed in range(3):
         distill(learned(four_blocks, bias, 60, seed), bias)
@@ -179,7 +179,7 @@ def test_a_policy_that_is_hardly_sure_distils_too(four_blocks: Domain, plain_bia
 
 
 def test_a_domain_without_exact_space(delivery: Domain, delivery_bias, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(nppg.distill, "_EPISODES", 40)
+    monkeypatch.setattr(nppg.rules.distill, "_EPISODES", 40)
     policy = learned(delivery, delivery_bias, 300)
     with pytest.raises(NppgError):
         evaluate_exactly(policy)

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from nppg import prolog_home
-from nppg.doctor import Check, doctor, report
+from nppg.bridge import home as prolog_home
+from nppg.bridge.doctor import Check, doctor, report
 
 ROOT = Path(__file__).parent.parent
 PROBE = "import janus_swi; print(janus_swi.query_once('X is 6*7')['X'])"
@@ -52,12 +52,12 @@ def test_the_home_belongs_to_the_library() -> None:
 
 def test_another_swipl_on_path_aborts_janus_but_not_after_prepare(other_swipl: str) -> None:
     assert python("-c", PROBE, PATH=other_swipl).returncode < 0
-    prepared = python("-c", f"from nppg.prolog_home import prepare; prepare(); {PROBE}", PATH=other_swipl)
+    prepared = python("-c", f"from nppg.bridge.home import prepare; prepare(); {PROBE}", PATH=other_swipl)
     assert prepared.stdout == "42\n", prepared.stderr
 
 
 def test_the_doctor_survives_another_swipl_on_path(other_swipl: str) -> None:
-    result = python("-m", "nppg.doctor", PATH=other_swipl)
+    result = python("-m", "nppg.bridge.doctor", PATH=other_swipl)
     assert result.returncode == 0, result.stdout
     assert "does not work; nppg does not use it" in finding(result.stdout, "swipl on PATH")
 
@@ -66,13 +66,13 @@ def test_another_swipl_on_path_is_told(tmp_path: Path) -> None:
     swipl = tmp_path / "swipl"
     swipl.write_text("""#!/bin/sh\necho 'PLBASE="/elsewhere";'\necho 'PLVERSION="90004";'\n""")
     swipl.chmod(0o755)
-    result = python("-m", "nppg.doctor", PATH=str(tmp_path))
+    result = python("-m", "nppg.bridge.doctor", PATH=str(tmp_path))
     assert result.returncode == 0, result.stdout
     assert finding(result.stdout, "swipl on PATH").endswith(f"9.0.4, {swipl}, not the one that nppg uses")
 
 
 def test_a_wrong_home_is_reported_instead_of_an_abort(tmp_path: Path) -> None:
-    result = python("-m", "nppg.doctor", SWI_HOME_DIR=str(tmp_path))
+    result = python("-m", "nppg.bridge.doctor", SWI_HOME_DIR=str(tmp_path))
     assert result.returncode == 2
     assert "FAIL" in finding(result.stdout, "home of Prolog")
     assert "stopped by signal" in finding(result.stdout, "6*7 in Prolog")
@@ -87,7 +87,7 @@ def test_the_users_home_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_nothing_installed_is_reported_with_the_mends() -> None:
-    result = python("-S", "-m", "nppg.doctor")
+    result = python("-S", "-m", "nppg.bridge.doctor")
     assert result.returncode == 2
     for name in ("numpy", "pyyaml", "janus-swi"):
         assert finding(result.stdout, name).startswith("FAIL")
@@ -101,7 +101,7 @@ def test_an_extension_that_cannot_be_loaded_is_reported(tmp_path: Path) -> None:
     (tmp_path / "janus_swi").mkdir()
     (tmp_path / "janus_swi" / "__init__.py").touch()
     (tmp_path / "janus_swi" / f"_swipl{suffix}").write_text("no library")
-    result = python("-m", "nppg.doctor", PYTHONPATH=str(tmp_path))
+    result = python("-m", "nppg.bridge.doctor", PYTHONPATH=str(tmp_path))
     assert result.returncode == 2
     assert "cannot be loaded" in finding(result.stdout, "janus-swi")
 

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from nppg import Domain, LanguageBias, NppgError, Options, generate_episode, train
-from nppg.check import check
-from nppg.domain import Action, Outcome, State
-from nppg.policy import Policy
-from nppg.prolog import ask
+from nppg.answers.check import check
+from nppg.bridge.prolog import ask
+from nppg.policy.policy import Policy
+from nppg.worlds.domain import Action, Outcome, State
 
 ROOT = Path(__file__).parent.parent
 FILES = sorted([*(ROOT / "domains").glob("*.pl"), *(ROOT / "tests" / "domains").glob("*.pl")])

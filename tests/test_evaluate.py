@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 from samples import random_tree
 
-from nppg.coverage import root_table
-from nppg.domain import Domain
+from nppg.answers.coverage import root_table
+from nppg.bias.refinement import Refiner
 from nppg.errors import NppgError
-from nppg.evaluation import Evaluation, ExactEvaluator, evaluate, evaluate_exactly
-from nppg.options import Options
-from nppg.policy import Policy
-from nppg.refinement import Refiner
-from nppg.training import train
+from nppg.judging.evaluation import Evaluation, ExactEvaluator, evaluate, evaluate_exactly
+from nppg.learning.options import Options
+from nppg.learning.training import train
+from nppg.policy.policy import Policy
+from nppg.worlds.domain import Domain
 
 
 @pytest.fixture(scope="module")

@@ -11,16 +11,16 @@ from random import Random
 import pytest
 from samples import random_query, value_of_list, visited
 
-from nppg import prolog_home
-from nppg.cli import main
-from nppg.domain import Domain
-from nppg.explain import explained, sentences
-from nppg.language_bias import LanguageBias
-from nppg.logic import deciding_tests
-from nppg.options import Options
-from nppg.policy import Policy
-from nppg.training import train
-from nppg.tree import Rule, from_rules
+from nppg.bias.language_bias import LanguageBias
+from nppg.bridge import home as prolog_home
+from nppg.cli.main import main
+from nppg.learning.options import Options
+from nppg.learning.training import train
+from nppg.logic.subsumption import deciding_tests
+from nppg.policy.policy import Policy
+from nppg.rules.explain import explained, sentences
+from nppg.trees.tree import Rule, from_rules
+from nppg.worlds.domain import Domain
 
 BLOCKS = """\
 % First choice: move Block onto Place, if the goal wants Block on Place.

@@ -11,14 +11,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nppg.coverage import Coverage, root_table
-from nppg.domain import Domain, State
+from nppg.answers.coverage import Coverage, root_table
+from nppg.answers.facts import FactTable, suffices
+from nppg.answers.table import Table, TestTable
+from nppg.bias.language_bias import LanguageBias
+from nppg.bias.refinement import Refiner
 from nppg.errors import NppgError
-from nppg.facts import FactTable, suffices
-from nppg.language_bias import LanguageBias
-from nppg.logic import Query
-from nppg.refinement import Refiner
-from nppg.table import Table, TestTable
+from nppg.logic.query import Query
+from nppg.worlds.domain import Domain, State
 
 DOMAIN = """
 :- module(meadow, []).

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from samples import random_tree, value_of_list, value_of_tree, visited
 
-import nppg.forest
-from nppg.coverage import root_table
-from nppg.domain import Domain
+import nppg.policy.forest
+from nppg.answers.coverage import root_table
+from nppg.bias.refinement import Refiner
 from nppg.errors import NppgError
-from nppg.gradient import gibbs
-from nppg.policy import Policy, choose
-from nppg.refinement import Refiner
-from nppg.tree import Leaf, Node, rules
+from nppg.policy.gibbs import gibbs
+from nppg.policy.policy import Policy, choose
+from nppg.trees.tree import Leaf, Node, rules
+from nppg.worlds.domain import Domain
 
 
 def same_as_the_clauses(policy: Policy, states) -> None:
@@ -50,8 +50,8 @@ def test_potentials_are_the_sum_of_the_clauses(setting, with_table: bool) -> Non
 @pytest.mark.parametrize("memory", [0, 1, 7])
 def test_a_full_memory_of_rows_changes_nothing(setting, monkeypatch: pytest.MonkeyPatch, memory: int) -> None:
     domain, bias, refiner, table = setting
-    monkeypatch.setattr(nppg.forest, "_MEMORY", memory)
-    monkeypatch.setattr(nppg.forest, "_CHUNK", 5)
+    monkeypatch.setattr(nppg.policy.forest, "_MEMORY", memory)
+    monkeypatch.setattr(nppg.policy.forest, "_CHUNK", 5)
     policy = Policy(domain, bias, table)
     states = visited(domain, 5)
     for seed in range(5):

@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nppg.gradient import advantages, functional_gradient, gibbs, returns, taken_gradient
+from nppg.learning.gradient import advantages, functional_gradient, returns, taken_gradient
+from nppg.policy.gibbs import gibbs
 
 potentials = st.lists(st.floats(-8, 8), min_size=1, max_size=8).map(np.array)
 values = st.floats(-10, 10)

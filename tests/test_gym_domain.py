@@ -11,12 +11,12 @@ import pytest
 from samples import in_plain_prolog, term
 
 from nppg import NppgError, Options, Policy, evaluate, generate_episode, language_bias_of, open_domain, run
-from nppg.cli import main
-from nppg.coverage import table_of
-from nppg.domain import Ground, State
-from nppg.episode import Episode
-from nppg.gym_domain import GymDomain
-from nppg.prolog import interruptible
+from nppg.answers.coverage import table_of
+from nppg.bridge.prolog import interruptible
+from nppg.cli.main import main
+from nppg.learning.episode import Episode
+from nppg.worlds.domain import Ground, State
+from nppg.worlds.gym_domain import GymDomain
 
 gymnasium = pytest.importorskip("gymnasium")
 spaces = gymnasium.spaces

@@ -18,14 +18,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from nppg import Domain, NppgError
-from nppg.coverage import root_table
-from nppg.domain import texts
-from nppg.gym_bounded import BoundedEnv, most_actions
+from nppg.answers.coverage import root_table
+from nppg.bias.refinement import Refiner
+from nppg.bridge.files import shipped
+from nppg.bridge.prolog import ground
+from nppg.gym_env.bounded import BoundedEnv, most_actions
 from nppg.gym_env import Choice, DomainEnv, Facts, register
-from nppg.opening import language_bias_of, open_domain
-from nppg.prolog import ground
-from nppg.refinement import Refiner
-from nppg.shipped import shipped
+from nppg.worlds.domain import texts
+from nppg.worlds.opening import language_bias_of, open_domain
 
 FERRY = str(Path(__file__).parent / "domains" / "ferry.pl")
 SHIPPED = sorted(path.stem for path in shipped("domains").glob("*.pl"))

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from nppg import NppgError
-from nppg.gym_make import make
+from nppg.worlds.gym_make import make
 
 gymnasium = pytest.importorskip("gymnasium")
 
@@ -88,7 +88,8 @@ def test_the_module_that_registers_an_environment_stays_in_its_id() -> None:
 
 
 def test_without_gymnasium_the_mend_is_named() -> None:
-    program = "import sys; sys.modules['gymnasium'] = None\nfrom nppg.cli import main\nsys.exit(main(sys.argv[1:]))"
+    hidden = "import sys; sys.modules['gymnasium'] = None"
+    program = f"{hidden}\nfrom nppg.cli.main import main\nsys.exit(main(sys.argv[1:]))"
     command = [sys.executable, "-c", program]
     result = subprocess.run([*command, "check", "gym:CartPole-v1"], capture_output=True, text=True, timeout=60)
     assert result.returncode == 2

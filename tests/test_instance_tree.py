@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 
 from nppg import Domain, train
-from nppg.cli import main
-from nppg.coverage import Coverage
+from nppg.answers.coverage import Coverage
+from nppg.bias.language_bias import TreeLimits
+from nppg.cli.main import main
 from nppg.errors import NppgError
-from nppg.language_bias import TreeLimits
-from nppg.policy import Policy
+from nppg.policy.policy import Policy
 from nppg.rrl.instance_tree import InstanceTree
 from nppg.rrl.options import RIBOptions, TrendiOptions
 from nppg.rrl.qfunction import Example, QFunction
-from nppg.tilde import best_split
-from nppg.tree import leaves
+from nppg.trees.tilde import best_split
+from nppg.trees.tree import leaves
 
 FOUR = TrendiOptions(episodes=250, min_sample=40, min_instances=10, max_instances=60, significance=0.2)
 

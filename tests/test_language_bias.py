@@ -13,8 +13,7 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nppg.errors import NppgError, Problem
-from nppg.language_bias import (
+from nppg.bias.language_bias import (
     EQUALITY,
     KEYS,
     MODE_KEYS,
@@ -26,7 +25,8 @@ from nppg.language_bias import (
     TreeLimits,
     _Reader,
 )
-from nppg.logic import OPEN
+from nppg.errors import NppgError, Problem
+from nppg.logic.query import OPEN
 
 SHIPPED = Path(__file__).parent.parent / "language_bias"
 FILES = sorted(SHIPPED.glob("*.yaml"))

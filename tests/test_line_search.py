@@ -11,15 +11,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 from samples import random_tree
 
-from nppg.coverage import root_table
-from nppg.domain import Domain
-from nppg.episode import generate_episode
-from nppg.line_search import estimate, step_size
-from nppg.options import Options
-from nppg.policy import Policy
-from nppg.refinement import Refiner
-from nppg.tree import Leaf, Tree, leaves
-from nppg.visits import Visit
+from nppg.answers.coverage import root_table
+from nppg.bias.refinement import Refiner
+from nppg.learning.episode import generate_episode
+from nppg.learning.line_search import estimate, step_size
+from nppg.learning.options import Options
+from nppg.learning.visits import Visit
+from nppg.policy.policy import Policy
+from nppg.trees.tree import Leaf, Tree, leaves
+from nppg.worlds.domain import Domain
 
 
 def setting(domain: Domain, bias, seed: int) -> tuple[Policy, list[Visit], Tree]:

@@ -9,23 +9,20 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from samples import holds
 
-from nppg.logic import (
+from nppg.logic.query import (
     OPEN,
     Literal,
     Query,
     Var,
     components,
-    deciding_tests,
     implies,
-    normal_form,
     opened,
-    reduced,
     solve_equalities,
     substitute,
-    subsumes,
     tightened,
     variables,
 )
+from nppg.logic.subsumption import deciding_tests, normal_form, reduced, subsumes
 
 ROOTS = 2
 ROOT_TERMS = [Var(0), Var(1), "a", 3]

@@ -8,20 +8,20 @@ import numpy as np
 import pytest
 
 from nppg import train
-from nppg.cli import main
-from nppg.coverage import root_table
-from nppg.domain import Domain, State
-from nppg.episode import Episode, generate_episode
+from nppg.answers.coverage import root_table
+from nppg.bias.language_bias import LanguageBias
+from nppg.bias.refinement import Refiner
+from nppg.bridge.files import locate
+from nppg.cli.main import main
 from nppg.errors import NppgError
-from nppg.language_bias import LanguageBias
-from nppg.learners import LEARNERS
-from nppg.options import Options
-from nppg.policy import Policy
-from nppg.refinement import Refiner
+from nppg.experiments.learners import LEARNERS
+from nppg.judging.space import Space
+from nppg.learning.episode import Episode, generate_episode
+from nppg.learning.options import Options
+from nppg.policy.policy import Policy
 from nppg.rrl.qfunction import QFunction
 from nppg.rrl.training import examples
-from nppg.shipped import locate
-from nppg.space import Space
+from nppg.worlds.domain import Domain, State
 
 BIAS = LanguageBias.load(locate("noisy_blocks", "language_bias", ".yaml"))
 HEAD = ":- module(odd, []).\n:- fluent at/1.\nstart([at(1)]).\naction(go).\neffect(go, [], []).\ngoal :- at(2).\n"

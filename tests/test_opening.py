@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from nppg import Domain, LanguageBias, NppgError, language_bias_of, open_domain
-from nppg.cli import main
-from nppg.gym_domain import GymDomain
-from nppg.shipped import shipped
+from nppg.bridge.files import shipped
+from nppg.cli.main import main
+from nppg.worlds.gym_domain import GymDomain
 
 FILE = """:- module('Cart', []).
 :- environment('CartPole-v1').

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from nppg import Domain, LanguageBias, NppgError, evaluate, evaluate_exactly
-from nppg.domain import State
-from nppg.evaluation import ExactEvaluator
-from nppg.optimum import ReturnEvaluator
-from nppg.policy import Policy
-from nppg.shipped import locate
-from nppg.space import Space
+from nppg.bridge.files import locate
+from nppg.judging.evaluation import ExactEvaluator
+from nppg.judging.optimum import ReturnEvaluator
+from nppg.judging.space import Space
+from nppg.policy.policy import Policy
+from nppg.worlds.domain import State
 
 
 @pytest.fixture(scope="module")

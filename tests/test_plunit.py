@@ -7,7 +7,7 @@ from pathlib import Path
 import janus_swi
 import pytest
 
-import nppg.prolog  # noqa: F401  (starts Prolog)
+import nppg.bridge.prolog  # noqa: F401  (starts Prolog)
 
 FILES = sorted((Path(__file__).parent / "plunit").glob("*.plt"))
 RUN = """

@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from nppg.cli import main
-from nppg.domain import Domain
-from nppg.episode import generate_episode
-from nppg.evaluation import evaluate_exactly
-from nppg.policy import Policy
-from nppg.proof import Failure, prove
+from nppg.cli.main import main
+from nppg.judging.evaluation import evaluate_exactly
+from nppg.learning.episode import generate_episode
+from nppg.policy.policy import Policy
+from nppg.rules.proof import Failure, prove
+from nppg.worlds.domain import Domain
 
 OPTIMAL = """
 delta(1, move(X, Y), 9.0) :- goal_on(X, Y), !.

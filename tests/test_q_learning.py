@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from nppg import Domain, evaluate, evaluate_exactly, train
-from nppg.cli import main
+from nppg.cli.main import main
 from nppg.errors import NppgError
-from nppg.learners import LEARNERS
-from nppg.policy import Policy
+from nppg.experiments.learners import LEARNERS
+from nppg.policy.policy import Policy
 from nppg.rrl.options import QOptions, TGOptions
 from nppg.rrl.qfunction import QFunction
 from nppg.rrl.training import examples
@@ -29,7 +29,7 @@ def learned(plain_bias) -> QFunction:
 
 
 def test_examples_look_one_step_ahead(learned: QFunction) -> None:
-    from nppg.episode import generate_episode
+    from nppg.learning.episode import generate_episode
 
     rng, discount, ended = np.random.default_rng(0), learned.options.discount, set()
     for _ in range(60):

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from nppg.cli import main
+from nppg.cli.main import main
 
 README = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
 

@@ -11,9 +11,10 @@ from random import Random
 import pytest
 from samples import random_query
 
-from nppg.language_bias import LanguageBias
-from nppg.logic import OPEN, Literal, Query, Var, normal_form, subsumes, variables
-from nppg.refinement import KIND, Refinement, Refiner, is_open
+from nppg.bias.language_bias import LanguageBias
+from nppg.bias.refinement import KIND, Refinement, Refiner, is_open
+from nppg.logic.query import OPEN, Literal, Query, Var, variables
+from nppg.logic.subsumption import normal_form, subsumes
 
 SMALL = """
 action: move(+block, +place)

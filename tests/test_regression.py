@@ -9,17 +9,17 @@ import numpy as np
 import pytest
 from samples import pairs, visited
 
-from nppg.coverage import Coverage
-from nppg.domain import Domain
-from nppg.language_bias import LanguageBias, Template
-from nppg.logic import Literal, Var
-from nppg.options import Options
-from nppg.policy import Policy
-from nppg.refinement import KIND
-from nppg.regression import REGRESSORS, Examples, PerAction, Regressor, kinds_of_actions, regressor
-from nppg.tilde import Newton
-from nppg.training import train
-from nppg.tree import Leaf, Node, Tree, leaves
+from nppg.answers.coverage import Coverage
+from nppg.bias.language_bias import LanguageBias, Template
+from nppg.bias.refinement import KIND
+from nppg.learning.options import Options
+from nppg.learning.regressors import REGRESSORS, Examples, PerAction, Regressor, kinds_of_actions, regressor
+from nppg.learning.training import train
+from nppg.logic.query import Literal, Var
+from nppg.policy.policy import Policy
+from nppg.trees.tilde import Newton
+from nppg.trees.tree import Leaf, Node, Tree, leaves
+from nppg.worlds.domain import Domain
 
 PER_ACTION = Options(models="per-action")
 

@@ -9,13 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from nppg.cli import main
-from nppg.evaluation import ExactEvaluator
-from nppg.experiments import EXPERIMENTS
-from nppg.policy import Policy
-from nppg.reproduce import jobs
-from nppg.space import Space
-from nppg.tree import Leaf
+from nppg.cli.main import main
+from nppg.experiments.paper import EXPERIMENTS
+from nppg.experiments.reproduce import jobs
+from nppg.judging.evaluation import ExactEvaluator
+from nppg.judging.space import Space
+from nppg.policy.policy import Policy
+from nppg.trees.tree import Leaf
 
 SMALL = ["--runs", "2", "--episodes", "100", "--set", "blocks=4", "--jobs", "2", "--output"]
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from nppg import LanguageBias, NppgError
+from nppg.judging.space import Space
 from nppg.rrl.distance import PairDistance
 from nppg.rrl.instances import Instances
 from nppg.rrl.options import RIBOptions
-from nppg.space import Space
 
 
 class Points:

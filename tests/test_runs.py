@@ -15,18 +15,19 @@ from pathlib import Path
 
 import pytest
 
-from nppg import prolog, training
-from nppg.cli import main
-from nppg.domain import Domain
+from nppg.bias.language_bias import LanguageBias
+from nppg.bridge import prolog
+from nppg.bridge.files import shipped
+from nppg.bridge.prolog import interruptible, undisturbed
+from nppg.cli.main import main
 from nppg.errors import NppgError
-from nppg.language_bias import LanguageBias
-from nppg.model import another_domain
-from nppg.options import Options
-from nppg.policy import Policy
-from nppg.prolog import interruptible, undisturbed
-from nppg.runs import run
-from nppg.shipped import shipped
-from nppg.training import Iteration
+from nppg.experiments.runs import run
+from nppg.learning import training
+from nppg.learning.options import Options
+from nppg.learning.training import Iteration
+from nppg.policy.model import another_domain
+from nppg.policy.policy import Policy
+from nppg.worlds.domain import Domain
 
 SHIPPED = (shipped("domains") / "blocks_world.pl").read_text()
 MINE = SHIPPED + "% mine\n"
@@ -209,7 +210,8 @@ def test_until_return(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
 def test_another_domain_than_the_models_is_noted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert train(tmp_path, "blocks_world", "--quiet") == 0
     model, domain = tmp_path / "model.pl", tmp_path / "blocks_world.pl"
-    assert another_domain(model, Policy.load(model)) == []
+    policy = Policy.load(model)
+    assert another_domain(model, policy.domain, policy.facts) == []
     domain.write_text(MINE)
     capsys.readouterr()
     assert main(["evaluate", str(model), "--starts", "5", "--json"]) == 0
@@ -217,7 +219,7 @@ def test_another_domain_than_the_models_is_noted(tmp_path: Path, capsys: pytest.
     assert error.startswith(f"warning: {model}: {domain} is not the file") and error.count("\n") == 1
     with pytest.warns(UserWarning, match="is not the file"):
         policy = Policy.load(model)
-    assert len(another_domain(model, policy)) == 1
+    assert len(another_domain(model, policy.domain, policy.facts)) == 1
 
 
 def test_evaluate_takes_the_horizon_of_the_training(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -15,22 +15,23 @@ from hypothesis import given
 from hypothesis import strategies as st
 from samples import pairs, truth, visited
 
-import nppg.training
-from nppg.coverage import Coverage
-from nppg.critic import critic
-from nppg.domain import Domain
-from nppg.episode import Episode, Step, generate_episode
-from nppg.evaluation import evaluate_exactly
-from nppg.gradient import functional_gradient, gibbs
-from nppg.language_bias import TreeLimits
-from nppg.logic import Query
-from nppg.options import Options
-from nppg.policy import Policy
-from nppg.regression import Examples
-from nppg.tilde import Newton, best_step, grow
-from nppg.training import examples, train
-from nppg.tree import Leaf, Tree, leaves
-from nppg.visits import Visit, kept, revisited
+import nppg.learning.training
+from nppg.answers.coverage import Coverage
+from nppg.bias.language_bias import TreeLimits
+from nppg.judging.evaluation import evaluate_exactly
+from nppg.learning.critic import critic
+from nppg.learning.episode import Episode, Step, generate_episode
+from nppg.learning.gradient import functional_gradient
+from nppg.learning.options import Options
+from nppg.learning.regressors import Examples
+from nppg.learning.training import examples, train
+from nppg.learning.visits import Visit, kept, revisited
+from nppg.logic.query import Query
+from nppg.policy.gibbs import gibbs
+from nppg.policy.policy import Policy
+from nppg.trees.tilde import Newton, best_step, grow
+from nppg.trees.tree import Leaf, Tree, leaves
+from nppg.worlds.domain import Domain
 
 SECOND = Options(step="second-order")
 potentials = st.lists(st.floats(-8, 8), min_size=1, max_size=8).map(np.array)
@@ -243,7 +244,7 @@ def test_lambda_grows_with_the_trees_and_without_growth_is_what_it_was(
         seen.append(found.newton.regularisation)
         return found
 
-    monkeypatch.setattr(nppg.training, "examples", looked_at)
+    monkeypatch.setattr(nppg.learning.training, "examples", looked_at)
     for growth in (0.0, 0.1):
         seen.clear()
         options = replace(SECOND, episodes=60, min_examples=30, regularisation=0.3, regularisation_growth=growth)
@@ -292,7 +293,7 @@ def test_replayed_steps_are_seen_by_the_present_policy(
         batches.append(batch)
         return examples(batch, options, trees)
 
-    monkeypatch.setattr(nppg.training, "examples", looked_at)
+    monkeypatch.setattr(nppg.learning.training, "examples", looked_at)
     for iteration in train(four_blocks, bias_of(JOINS), replace(SECOND, episodes=60, min_examples=30, replay=30)):
         policies.append(iteration.policy)
     assert replayed[0] == 0 and max(replayed) == 30 and len(widths) > 2

@@ -13,10 +13,10 @@ import pytest
 from test_canonical_space import check_frequencies, check_horizon_and_expert
 
 from nppg import Domain, LanguageBias, NppgError, Options, evaluate_exactly, train
-from nppg.cli import main
-from nppg.distill import distill
-from nppg.shipped import shipped
-from nppg.space import Space
+from nppg.bridge.files import shipped
+from nppg.cli.main import main
+from nppg.judging.space import Space
+from nppg.rules.distill import distill
 
 TASKS = ["stack", "unstack"]
 GOALS = {"stack": factorial, "unstack": lambda blocks: 1}

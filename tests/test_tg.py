@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from samples import pairs, visited
 
-from nppg.coverage import Coverage
-from nppg.language_bias import TreeLimits
-from nppg.policy import Policy
+from nppg.answers.coverage import Coverage
+from nppg.bias.language_bias import TreeLimits
+from nppg.policy.policy import Policy
 from nppg.rrl.options import TGOptions
 from nppg.rrl.qfunction import Example, QFunction
 from nppg.rrl.tg import TG
-from nppg.tilde import best_split, grow
-from nppg.tree import rules
+from nppg.trees.tilde import best_split, grow
+from nppg.trees.tree import rules
 
 
 def stream(domain, table, count: int, seed: int) -> list[Example]:
@@ -86,8 +86,8 @@ class PlainTG:
 
 
 def test_a_long_stream_leaves_exact_statistics(blocks, plain_bias) -> None:
-    from nppg.coverage import root_table
-    from nppg.refinement import Refiner
+    from nppg.answers.coverage import root_table
+    from nppg.bias.refinement import Refiner
 
     refiner = Refiner(plain_bias)
     table = root_table(blocks, plain_bias, refiner)

@@ -14,26 +14,26 @@ import numpy as np
 import pytest
 from samples import in_plain_prolog, random_query, random_tree, truth, value_of_list, value_of_tree
 
-from nppg.clauses import from_clause, to_clause
-from nppg.coverage import Coverage, root_table
-from nppg.distill import distill
-from nppg.domain import Action, Domain, State
-from nppg.dot import dot
+from nppg.answers.coverage import Coverage, root_table
+from nppg.answers.facts import FactTable
+from nppg.answers.table import TestTable
+from nppg.bias.language_bias import LanguageBias, TreeLimits
+from nppg.bias.refinement import KIND, Refiner
 from nppg.errors import NppgError
-from nppg.evaluation import evaluate_exactly
-from nppg.explain import explained
-from nppg.facts import FactTable
-from nppg.language_bias import LanguageBias, TreeLimits
-from nppg.logic import OPEN, Literal, Query, Var
-from nppg.options import Options
-from nppg.policy import Policy
-from nppg.refinement import KIND, Refiner
+from nppg.judging.evaluation import evaluate_exactly
+from nppg.learning.options import Options
+from nppg.learning.training import train
+from nppg.logic.query import OPEN, Literal, Query, Var
+from nppg.policy.policy import Policy
 from nppg.rrl.options import RIBOptions, TGOptions, TrendiOptions
 from nppg.rrl.regressors import regressor
-from nppg.table import TestTable
-from nppg.tilde import Example, Newton, best_split, fit, grow
-from nppg.training import train
-from nppg.tree import Leaf, Node, Rule, Tree, rules
+from nppg.rules.distill import distill
+from nppg.rules.dot import dot
+from nppg.rules.explain import explained
+from nppg.trees.clauses import from_clause, to_clause
+from nppg.trees.tilde import Example, Newton, best_split, fit, grow
+from nppg.trees.tree import Leaf, Node, Rule, Tree, rules
+from nppg.worlds.domain import Action, Domain, State
 
 DEPOT = """
 :- module(depot, []).
@@ -504,10 +504,10 @@ def test_a_model_with_a_hostile_bound_is_refused(depot, tmp_path: Path, body: st
 def test_seeds_are_bit_identical_in_two_processes(depot) -> None:
     code = """
 import sys
-from nppg.domain import Domain
-from nppg.language_bias import LanguageBias
-from nppg.options import Options
-from nppg.training import train
+from nppg.worlds.domain import Domain
+from nppg.bias.language_bias import LanguageBias
+from nppg.learning.options import Options
+from nppg.learning.training import train
 for step in ("gradient", "second-order"):
     options = Options(episodes=40, min_examples=60, seed=3, step=step)
     for iteration in train(Domain(sys.argv[1]), LanguageBias.load(sys.argv[2]), options):

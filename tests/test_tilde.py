@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 from samples import pairs, truth, value_of_tree, visited
 
-from nppg.coverage import Coverage
-from nppg.domain import Domain
-from nppg.language_bias import LanguageBias, TreeLimits
-from nppg.logic import Literal, Query, Var
-from nppg.refinement import Refiner
-from nppg.tilde import Example, best_split, f_test, fit, grow
-from nppg.tree import Leaf, Node, Tree, leaves
+from nppg.answers.coverage import Coverage
+from nppg.bias.language_bias import LanguageBias, TreeLimits
+from nppg.bias.refinement import Refiner
+from nppg.logic.query import Literal, Query, Var
+from nppg.trees.tilde import Example, best_split, f_test, fit, grow
+from nppg.trees.tree import Leaf, Node, Tree, leaves
+from nppg.worlds.domain import Domain
 
 UNBOUNDED = TreeLimits(max_depth=99, min_examples=1, min_variance=0.0)
 X, Y, A, B = map(Var, range(4))

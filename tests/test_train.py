@@ -14,18 +14,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from nppg.critic import critic
-from nppg.domain import Domain
-from nppg.episode import generate_episode
 from nppg.errors import NppgError
-from nppg.evaluation import evaluate, evaluate_exactly
-from nppg.gradient import functional_gradient
-from nppg.model import option
-from nppg.options import Options
-from nppg.policy import Policy
-from nppg.training import examples, train
-from nppg.tree import leaves
-from nppg.visits import kept
+from nppg.judging.evaluation import evaluate, evaluate_exactly
+from nppg.learning.critic import critic
+from nppg.learning.episode import generate_episode
+from nppg.learning.gradient import functional_gradient
+from nppg.learning.options import Options
+from nppg.learning.training import examples, train
+from nppg.learning.visits import kept
+from nppg.policy.policy import Policy
+from nppg.trees.tree import leaves
+from nppg.worlds.domain import Domain
 
 
 def run(folder: Path, seed: int, bias: str, hash_seed: str, *more: str) -> bytes:
@@ -63,7 +62,7 @@ def test_so_it_does_with_all_variants(tmp_path: Path, relational_bias, step: str
     recorded = json.loads((tmp_path / "a" / "run.json").read_text())["options"]
     assert VARIANT.items() <= recorded.items()
     policy = Policy.load(tmp_path / "a" / "model.pl")
-    assert all(option(policy, name, None) == value for name, value in VARIANT.items())
+    assert all(policy.option(name, None) == value for name, value in VARIANT.items())
     sizes = {float(each) for each in re.findall(r"step size ([\d.]+),", first.decode())}
     assert sizes <= {0.0, 0.25, 0.5, 1.0, 2.0, 4.0} and len(sizes) > 1
 

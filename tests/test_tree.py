@@ -8,8 +8,9 @@ from random import Random
 import pytest
 from samples import pairs, random_query, random_tree, value_of_list, value_of_tree, visited
 
-from nppg.logic import Literal, Query, Var, deciding_tests
-from nppg.tree import Leaf, Node, Rule, Tree, from_rules, leaves, rules
+from nppg.logic.query import Literal, Query, Var
+from nppg.logic.subsumption import deciding_tests
+from nppg.trees.tree import Leaf, Node, Rule, Tree, from_rules, leaves, rules
 
 
 @pytest.fixture

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nppg.episode import Step
-from nppg.options import Options
-from nppg.visits import Visit, kept, normalised
+from nppg.learning.episode import Step
+from nppg.learning.options import Options
+from nppg.learning.visits import Visit, kept, normalised
 
 STEP = Step((), [], np.zeros((0, 0), bool), np.zeros(0), np.zeros(0), 0, 0.0, ())
 values = st.lists(st.floats(-100, 100), min_size=1, max_size=20)

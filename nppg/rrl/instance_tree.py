@@ -12,20 +12,20 @@ from statistics import fmean
 
 import numpy as np
 
-from nppg.coverage import Coverage
-from nppg.domain import Action, State
+from nppg.answers.coverage import Coverage
+from nppg.answers.table import Table
+from nppg.bias.language_bias import TreeLimits
+from nppg.bias.refinement import Refiner
 from nppg.errors import NppgError, Problem
-from nppg.language_bias import TreeLimits
-from nppg.policy import Policy
-from nppg.refinement import Refiner
+from nppg.policy.policy import Policy
 from nppg.rrl.distance import PairDistance
 from nppg.rrl.instances import Instances
 from nppg.rrl.numbered_tree import NumberedTree
 from nppg.rrl.options import InstanceOptions, RIBOptions, TrendiOptions
 from nppg.rrl.qfunction import Example, QFunction
-from nppg.table import Table
-from nppg.tilde import best_split
-from nppg.tree import Tree
+from nppg.trees.tilde import best_split
+from nppg.trees.tree import Tree
+from nppg.worlds.domain import Action, State
 
 
 class _Held:

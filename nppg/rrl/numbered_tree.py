@@ -7,11 +7,11 @@ from itertools import count
 
 import numpy as np
 
-from nppg.forest import Forest
-from nppg.logic import Query
-from nppg.refinement import Refinement, Refiner
-from nppg.table import Table
-from nppg.tree import Leaf, Node, Tree, mapped, rules
+from nppg.answers.table import Table
+from nppg.bias.refinement import Refinement, Refiner
+from nppg.logic.query import Query
+from nppg.policy.forest import Forest
+from nppg.trees.tree import Leaf, Node, Tree, mapped, rules
 
 
 class NumberedTree:

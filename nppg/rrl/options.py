@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from nppg.options import Common, option
+from nppg.learning.options import Common, option
 
 
 @dataclass(frozen=True)

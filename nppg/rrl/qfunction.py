@@ -7,11 +7,11 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from nppg.domain import Action, State
-from nppg.gradient import gibbs
-from nppg.policy import Policy, is_best
+from nppg.answers.table import Table
+from nppg.policy.gibbs import gibbs
+from nppg.policy.policy import Policy, is_best
 from nppg.rrl.options import QOptions
-from nppg.table import Table
+from nppg.worlds.domain import Action, State
 
 
 class Example(NamedTuple):

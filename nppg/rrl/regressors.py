@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from weakref import WeakKeyDictionary
 
-from nppg.coverage import root_table
-from nppg.domain import Domain
+from nppg.answers.coverage import root_table
+from nppg.bias.language_bias import LanguageBias
+from nppg.bias.refinement import Refiner
 from nppg.errors import NppgError, Problem
-from nppg.language_bias import LanguageBias
-from nppg.logic import OPEN
-from nppg.refinement import Refiner
+from nppg.logic.query import OPEN
 from nppg.rrl.distance import PairDistance
 from nppg.rrl.instance_tree import InstanceTree
 from nppg.rrl.options import InstanceOptions, QOptions, TGOptions
 from nppg.rrl.qfunction import Regressor
 from nppg.rrl.tg import TG
+from nppg.worlds.domain import Domain
 
 _distances: WeakKeyDictionary[Domain, dict[tuple, PairDistance]] = WeakKeyDictionary()
 

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 
 import numpy as np
 
-from nppg.coverage import Coverage
-from nppg.domain import Action, State
-from nppg.policy import Policy
-from nppg.refinement import Refiner
+from nppg.answers.coverage import Coverage
+from nppg.answers.table import Table
+from nppg.bias.refinement import Refiner
+from nppg.policy.policy import Policy
 from nppg.rrl.numbered_tree import NumberedTree
 from nppg.rrl.options import GrowthOptions
 from nppg.rrl.qfunction import Example
-from nppg.table import Table
-from nppg.tilde import best_gain, is_significant
+from nppg.trees.tilde import best_gain, is_significant
+from nppg.worlds.domain import Action, State
 
 
 class Statistics:
@@ -104,3 +105,9 @@ class TG:
         policy = Policy(self.table.domain, self.table.bias, self.table)
         policy.add(self.tree.with_values(lambda leaf: self.statistics[leaf].mean))
         return policy, [("learner", self.options.learner)]
+
+
+def restored(policy: Policy, path: Path) -> Policy:
+    """The value function of which a model file, read from `path`, has the tree: it takes the best action."""
+    policy.greedy = True
+    return policy

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from nppg.domain import Domain
-from nppg.episode import Episode, training_episodes
-from nppg.language_bias import LanguageBias
+from nppg.bias.language_bias import LanguageBias
+from nppg.learning.episode import Episode, training_episodes
+from nppg.learning.training import Iteration
 from nppg.rrl.options import QOptions
 from nppg.rrl.qfunction import Example, QFunction
 from nppg.rrl.regressors import regressor
-from nppg.training import Iteration
+from nppg.worlds.domain import Domain
 
 
 def examples(episode: Episode, policy: QFunction) -> list[Example]:

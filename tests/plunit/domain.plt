@@ -25,11 +25,11 @@ noisy(Noise, Module) :-
     user:noisy_file(File),
     load_domain(File, [[noise, Noise]], Module, _).
 
-%   Numbers are drawn as under nppg.prolog.randomness.
+%   Numbers are drawn as under nppg.bridge.prolog.randomness.
 
 seeded(Goal) :-
     py_call('numpy.random':default_rng(0), Generator),
-    py_call('nppg.prolog':randomness(Generator), Context),
+    py_call('nppg.bridge.prolog':randomness(Generator), Context),
     setup_call_cleanup(py_call(Context:'__enter__'()), once(Goal),
                        py_call(Context:'__exit__'(@(none), @(none), @(none)))).
 

@@ -3,7 +3,7 @@
 
 seeded(Goal) :-
     janus:py_call('numpy.random':default_rng(0), Generator),
-    janus:py_call('nppg.prolog':randomness(Generator), Context),
+    janus:py_call('nppg.bridge.prolog':randomness(Generator), Context),
     setup_call_cleanup(
         janus:py_call(Context:'__enter__'(), _),
         once(Goal),
@@ -16,7 +16,7 @@ moment(Xs, Power, Moment) :-
     foldl([X, S0, S]>>(S is S0 + X ** Power), Xs, 0, Sum),
     Moment is Sum / Count.
 
-:- begin_tests(randomness, [condition(catch(janus:py_call('nppg.prolog':uniform(1), _), _, fail))]).
+:- begin_tests(randomness, [condition(catch(janus:py_call('nppg.bridge.prolog':uniform(1), _), _, fail))]).
 
 test(unseeded, throws(nppg_unseeded)) :-
     random(_).

@@ -1,0 +1,232 @@
+"""The refinement operator under θ-subsumption.
+
+A refinement of a query adds a literal that a mode declaration allows (with lookahead, several at once),
+unifies two of its variables, grounds one, or bounds one; the last three are literals of `=`, `=<` and `>=`. A
+bound's threshold is OPEN: who looks at the examples closes it. No refinement is equivalent to the query itself or to
+another one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from itertools import product
+
+from nppg.bias.language_bias import Argument, LanguageBias, Mode
+from nppg.logic.query import OPEN, Literal, Query, Term, Var, components, solve_equalities, substitute, tightened
+from nppg.logic.subsumption import normal_form, subsumes
+
+KIND = "$action"
+_MEMORY = 20_000
+
+
+@dataclass(frozen=True, slots=True)
+class Refinement:
+    """One candidate test of a node.
+
+    Where the node's query holds, `literals` extend it to a query that holds exactly if `test` does: the
+    component that they are part of, in normal form and, but for thresholds, the same tuple whatever the order in which
+    its literals were added. `prefix` is that component without them.
+    """
+
+    literals: Query
+    test: Query
+    prefix: Query
+
+    @property
+    def is_open(self) -> bool:
+        """Whether a threshold is still to be found."""
+        return is_open(self.literals[-1])
+
+    def closed(self, limit: float) -> Refinement:
+        """With the threshold that makes its test's limit this one."""
+        return Refinement(closed(self.literals, limit), closed(self.test, limit), self.prefix)
+
+
+def closed(query: Query, limit: float) -> Query:
+    """A query with the threshold that makes its limit this one in place of OPEN; see logic.opened."""
+    return tuple(
+        Literal(each.name, (each.args[0], limit if each.name == "=<" else 0.0 - limit)) if is_open(each) else each
+        for each in query
+    )
+
+
+def is_open(literal: Literal) -> bool:
+    """Whether it is a bound whose threshold is still to be found."""
+    return literal.name in OPEN and literal.args[1] == OPEN[literal.name]
+
+
+def _is_closed(literal: Literal) -> bool:
+    return literal.name in OPEN and not is_open(literal)
+
+
+class Refiner:
+    """The refinements of queries under a language bias; remembers what it has computed."""
+
+    def __init__(self, bias: LanguageBias):
+        self.bias = bias
+        self.root_count = len(bias.roots)
+        self._by_query: dict[Query, tuple[Refinement, ...]] = {}
+        self._by_core: dict[Query, tuple[Refinement, ...]] = {}
+        self._tests: dict[frozenset[Literal], Query] = {}
+
+    def refinements(self, query: Query) -> tuple[Refinement, ...]:
+        """All refinements of an associated query, in the order of the mode declarations."""
+        found = self._by_query.get(query)
+        if found is None:
+            core, thresholds = _ranked(tightened(literal for literal in query if self._matters(literal)))
+            if core not in self._by_core:
+                self._by_core[core] = tuple(self._distinct(core))
+            possible = self._by_core[core]
+            if thresholds:
+                possible = tuple(_unranked(each, thresholds) for each in possible)
+            found = tuple(self._adding(possible, query))
+            if len(self._by_query) >= _MEMORY:
+                self._by_query.clear()
+            self._by_query[query] = found
+        return found
+
+    def allows(self, query: Query) -> bool:
+        """Whether some mode declaration allows each literal of a query behind those before it."""
+        return all(
+            literal.name == KIND
+            or any(self._is_instance(literal, mode, self._typed_variables(query[:i])) for mode in self.bias.modes)
+            for i, literal in enumerate(query)
+        )
+
+    def _is_instance(self, literal: Literal, mode: Mode, types: dict[Var, str]) -> bool:
+        def fits(term: Term, arg: Argument) -> bool:
+            if not isinstance(term, Var):
+                return arg.kind == "#" and (term in arg.constants or mode.name in OPEN)
+            known = term in types
+            if arg.kind == "#" or (known and not self.bias.fits(types[term], arg.type)):
+                return False
+            return known or (arg.kind != "+" and term.index >= self.root_count)
+
+        return (literal.name, len(literal.args)) == (mode.name, len(mode.args)) and all(
+            map(fits, literal.args, mode.args)
+        )
+
+    def _matters(self, literal: Literal) -> bool:
+        """Whether what can be added depends on the literal."""
+        return literal.name in ("=", KIND) or self._is_existential(literal)
+
+    def _is_existential(self, literal: Literal) -> bool:
+        return any(var.index >= self.root_count for var in literal.variables())
+
+    def _adding(self, candidates: Iterable[Refinement], query: Query) -> Iterator[Refinement]:
+        """Those that make the query more special: whose test does not θ-subsume it already."""
+        theta, _ = solve_equalities(query, self.root_count)
+        given = substitute((literal for literal in query if literal.name != "="), theta)
+        names = {literal.name for literal in given}
+        equal = {var: term for var, term in theta.items() if var.index < self.root_count}
+        for each in candidates:
+            test = substitute(each.test, equal) if equal else each.test
+            if not (names.issuperset(literal.name for literal in test) and subsumes(test, given, self.root_count)):
+                yield each
+
+    def _distinct(self, core: Query) -> Iterator[Refinement]:
+        seen = {frozenset(normal_form(core, self.root_count) or ())}
+        existential = tuple(literal for literal in core if self._is_existential(literal))
+        for literals in self._extensions(core):
+            form = normal_form(core + literals, self.root_count)
+            if form is not None and frozenset(form) not in seen:
+                seen.add(frozenset(form))
+                parts = components(existential + literals, self.root_count)
+                own = next(part for part in parts if literals[0] in part)
+                test = normal_form(own, self.root_count)
+                assert test is not None
+                test = self._tests.setdefault(frozenset(test), test)
+                yield Refinement(literals, test, tuple(literal for literal in own if literal not in literals))
+
+    def _extensions(self, core: Query) -> Iterator[Query]:
+        kinds = self.bias.actions
+        asked = [literal.args[0] for literal in core if literal.name == KIND]
+        if len(kinds) > 1 and not asked:
+            yield from ((Literal(KIND, (kind,)),) for kind in range(len(kinds)))
+        types = self._typed_variables(core)
+        bounds_first = sorted(self.bias.modes, key=lambda mode: mode.name not in OPEN)  # no new variable where one is
+        for mode in bounds_first:
+            for literal in self._literals(mode, types):
+                yield (literal,)
+                yield from self._lookahead((literal,), types, min(mode.lookahead, self.bias.max_lookahead))
+
+    def _lookahead(self, literals: Query, types: dict[Var, str], steps: int) -> Iterator[Query]:
+        """The literals with up to `steps` more behind them, each about a variable that they introduce."""
+        new = {var for literal in literals for var in literal.variables()} - types.keys()
+        if steps == 0 or not new:
+            return
+        extended = self._with_types(types, literals)
+        for mode in self.bias.modes:
+            for literal in self._literals(mode, extended):
+                if literal not in literals and new & set(literal.variables()):
+                    yield (*literals, literal)
+                    if not is_open(literal):  # one threshold at a time
+                        yield from self._lookahead((*literals, literal), types, steps - 1)
+
+    def _typed_variables(self, core: Query) -> dict[Var, str]:
+        """The variables that a literal may use. The arguments of an action are there once its kind is known."""
+        kinds = self.bias.actions
+        known = [literal.args[0] for literal in core if literal.name == KIND] if len(kinds) > 1 else [0]
+        types: dict[Var, str] = {}
+        for kind, start in enumerate(self.bias.offsets):
+            length = len(kinds[kind].types) if kind < len(kinds) else len(self.bias.roots) - start
+            if kind in known or kind == len(kinds):
+                types |= {Var(start + i): self.bias.roots[start + i] for i in range(length)}
+        return self._with_types(types, core)
+
+    def _with_types(self, types: dict[Var, str], literals: Query) -> dict[Var, str]:
+        """Adds the existential variables with the types of the places that introduce them."""
+        types = dict(types)
+        for name, args in literals:
+            for arg, type_ in zip(args, self.bias.types.get(name, ()), strict=False):
+                if isinstance(arg, Var) and arg.index >= self.root_count:
+                    types.setdefault(arg, type_)
+        return types
+
+    def _literals(self, mode: Mode, types: dict[Var, str]) -> Iterator[Literal]:
+        """What one mode declaration allows; no literal takes a variable twice."""
+        first = max([self.root_count - 1, *(var.index for var in types)]) + 1
+        room = self.bias.max_variables - (first - self.root_count)
+        choices: list[list[Term | None]] = []
+        for arg in mode.args:
+            if arg.kind == "#":
+                choices.append(list(arg.constants))
+                continue
+            old: list[Term | None] = [var for var, type_ in types.items() if self.bias.fits(type_, arg.type)]
+            by_kind: dict[str, list[Term | None]] = {"+": old, "-": [None], "+-": [*old, None]}
+            choices.append(by_kind[arg.kind])
+        for choice in product(*choices):
+            fresh = iter(range(first, first + len(choice)))
+            args = tuple(Var(next(fresh)) if term is None else term for term in choice)
+            taken = [arg for arg in args if isinstance(arg, Var)]
+            if choice.count(None) > room or len(set(taken)) < len(taken):
+                continue
+            yield Literal(mode.name, args)
+
+
+def _ranked(core: Query) -> tuple[Query, list[float]]:
+    """The query with the ranks of its thresholds in their place, and the thresholds by rank. Queries that differ in
+    thresholds alone have the same refinements but for these."""
+    thresholds = sorted({float(each.args[1]) for each in core if each.name in OPEN})  # type: ignore[arg-type]
+    if not thresholds:
+        return core, thresholds
+    ranks = {threshold: rank for rank, threshold in enumerate(thresholds)}
+    return tuple(
+        Literal(each.name, (each.args[0], ranks[each.args[1]])) if each.name in OPEN else each  # type: ignore[index]
+        for each in core
+    ), thresholds
+
+
+def _unranked(refinement: Refinement, thresholds: list[float]) -> Refinement:
+    def restored(query: Query) -> Query:
+        if not any(map(_is_closed, query)):
+            return query
+        return tuple(
+            Literal(each.name, (each.args[0], thresholds[each.args[1]]))  # type: ignore[index]
+            if _is_closed(each)
+            else each
+            for each in query
+        )
+
+    return Refinement(refinement.literals, restored(refinement.test), restored(refinement.prefix))

@@ -1,0 +1,156 @@
+"""The bridge to SWI-Prolog, and the only importer of janus_swi.
+
+Everything crosses as data: numbers, strings, lists and tuples. Mistakes come back as data too and are
+raised as NppgError, so no Prolog exception leaves this module.
+"""
+
+from __future__ import annotations
+
+import signal
+import weakref
+from collections import deque
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+
+from nppg.bridge import home as prolog_home
+from nppg.bridge.files import shipped
+from nppg.errors import NppgError, Problem, suggestion
+
+prolog_home.prepare()
+
+import janus_swi  # noqa: E402
+
+_STACK_LIMIT = 256 * 2**20
+
+_interrupted = False
+_undisturbed = 0  # pieces of work that are not to be interrupted
+_dropped: deque[tuple] = deque()  # last questions about what Python has dropped
+_generator: np.random.Generator | None = None
+
+
+def uniform(count: int) -> list[float] | None:
+    """The next numbers of the generator that a domain draws from, None where there is none; called by
+    prolog/randomness.pl."""
+    if _generator is None:
+        return None
+    draw = _generator.random
+    return [draw() for _ in range(count)]
+
+
+@contextmanager
+def randomness(generator: np.random.Generator) -> Iterator[None]:
+    """Lets the domain draw from `generator`."""
+    global _generator
+    previous, _generator = _generator, generator
+    try:
+        yield
+    finally:
+        _generator = previous
+
+
+def ask(question: str, *args: Any) -> Any:
+    """The answer to one of the questions of prolog/bridge.pl.
+
+    Raises NppgError with file and line where the domain's code is at fault, and KeyboardInterrupt where Ctrl-C was
+    pressed under `interruptible`, unless it is held back by `undisturbed`.
+    """
+    while _dropped:
+        last, *its_args = _dropped.popleft()
+        janus_swi.apply_once("nppg_bridge", "ask", last, its_args)
+    try:
+        done, value = janus_swi.apply_once("nppg_bridge", "ask", question, list(args))
+    except janus_swi.PrologError:
+        done, value = janus_swi.apply_once("nppg_bridge", "ask", "aborted", [question])
+    heed_interrupt()
+    if not done:
+        raise NppgError(_problem(*each) for each in value)
+    return value
+
+
+def heed_interrupt() -> None:
+    """Raises KeyboardInterrupt where Ctrl-C was pressed under `interruptible`, unless it is held back. `ask` does so;
+    what asks nothing for long calls it now and then."""
+    global _interrupted
+    if _interrupted and not _undisturbed:
+        _interrupted = False
+        raise KeyboardInterrupt
+
+
+def ground(data: Any) -> Any:
+    """A ground term as it crosses, compounds as lists, as Python keeps it, compounds as tuples. A Prolog list is as
+    deep as it is long, so nothing recurs here."""
+    if not isinstance(data, list):
+        return data
+    flat = tuple([tuple(each) if isinstance(each, list) else each for each in data])
+    try:
+        hash(flat)  # fails where a list is left further down, which is rare
+        return flat
+    except TypeError:
+        pass
+    whole: list = []
+    open_terms = [(data, whole)]
+    while True:
+        term, done = open_terms[-1]
+        if len(done) < len(term):
+            arg = term[len(done)]
+            if isinstance(arg, list):
+                open_terms.append((arg, []))
+            else:
+                done.append(arg)
+        elif len(open_terms) == 1:
+            return tuple(done)
+        else:
+            open_terms.pop()
+            open_terms[-1][1].append(tuple(done))
+
+
+def _problem(file: str, line: int, column: int, message: str, name: str = "", known: Iterable[str] = ()) -> Problem:
+    return Problem(file, line, column, message + suggestion(name, known))
+
+
+@contextmanager
+def interruptible() -> Iterator[None]:
+    """Lets Ctrl-C end the program only between two questions, never while Prolog runs or calls back, where raising
+    can crash it; or at the end. Every question ends, because domain code is held to an inference limit."""
+    global _interrupted
+
+    def note(*_: object) -> None:
+        global _interrupted
+        _interrupted = True
+
+    previous = signal.signal(signal.SIGINT, note)
+    try:
+        yield
+        if _interrupted:
+            raise KeyboardInterrupt
+    finally:
+        signal.signal(signal.SIGINT, previous)
+        _interrupted = False
+
+
+@contextmanager
+def undisturbed() -> Iterator[None]:
+    """Holds an interrupt back until a piece of work, such as saving, is done; a later question raises it."""
+    global _undisturbed
+    _undisturbed += 1
+    try:
+        yield
+    finally:
+        _undisturbed -= 1
+
+
+def drop_with(owner: object, question: str, *args: Any) -> None:
+    """Has a last question asked, which frees what Prolog holds for `owner`, once Python has dropped it: with the next
+    question, for Python drops things at any moment, also between a question that was aborted and asking why."""
+    weakref.finalize(owner, _dropped.append, (question, *args)).atexit = False
+
+
+def _start() -> None:
+    janus_swi.query_once("set_prolog_flag(stack_limit, Limit)", {"Limit": _STACK_LIMIT})
+    janus_swi.query_once("use_module(File, [])", {"File": str(shipped("prolog") / "bridge.pl")})
+
+
+_start()

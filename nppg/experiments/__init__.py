@@ -1,0 +1,1 @@
+"""Runs with their files, many runs at a time, and the paper's figures."""

@@ -1,0 +1,1 @@
+"""How good a policy is: on sampled starts, exactly over all of them, and beside the optimum."""

@@ -1,0 +1,187 @@
+"""How well a policy does: on sampled starts, or exactly over all of them."""
+
+from __future__ import annotations
+
+import copy
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from nppg.errors import NppgError
+from nppg.judging.space import Space
+from nppg.learning.episode import generate_episode
+from nppg.learning.options import at_least
+from nppg.policy.gibbs import gibbs_of_groups
+from nppg.policy.policy import Policy, is_best
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluation:
+    """`success`: share of episodes that reach a goal state within `horizon_factor` times the domain's horizon, 0 to 1.
+    `mean_steps` and `mean_return` (undiscounted, sampled only) are per episode; `starts` is their number."""
+
+    success: float
+    starts: int
+    exact: bool
+    greedy: bool
+    mean_steps: float
+    mean_return: float | None = None
+
+
+def merit(policy: Policy, result: Evaluation) -> tuple[str, float]:
+    """What the policy is judged by, with its name: its success; the mean return where the domain has no goal."""
+    if policy.domain.has_goal or result.mean_return is None:
+        return "success", result.success
+    return "mean_return", result.mean_return
+
+
+def evaluate(
+    policy: Policy, starts: int = 1000, seed: int = 0, greedy: bool = False, horizon_factor: float = 1.0
+) -> Evaluation:
+    """Sampled: one episode from each of `starts` random start states, from a generator of its own."""
+    at_least("starts", starts, 1)
+    at_least("seed", seed, 0)
+    greedy = greedy or policy.greedy
+    rng = np.random.default_rng([seed, 0x6E707067])
+    successes, steps, total = 0, 0, 0.0
+    for _ in range(starts):
+        episode = generate_episode(policy, rng, greedy=greedy, horizon_factor=horizon_factor)
+        successes += episode.success
+        steps += len(episode.steps)
+        total += sum(step.reward for step in episode.steps)
+    return Evaluation(successes / starts, starts, False, greedy, steps / starts, total / starts)
+
+
+class ExactEvaluator:
+    """Evaluates policies of one domain over its whole state space; what does not depend on the trees is computed
+    once. `space` may come from another evaluator of the domain with the same parameters. Raises NppgError where the
+    domain has no goal or no finite space with a uniform start."""
+
+    def __init__(self, policy: Policy, space: Space | None = None):
+        if not policy.domain.has_goal:
+            raise NppgError(f"{policy.domain.path}: exact evaluation is about goal/0, which the domain does not define")
+        self.policy = policy
+        self.space = space or Space(policy.domain)
+        self._first = np.flatnonzero(np.diff(self.space.owner, prepend=-1))  # pair of each running class
+        self._answers = np.empty((0, 0))
+        self._row = np.empty(0, int)  # of each pair among the distinct answers
+        self._potentials: np.ndarray | None = None  # of a snapshot
+
+    def of(self, policy: Policy) -> ExactEvaluator:
+        """An evaluator of another policy over the same table, with all that has been computed for this one."""
+        other = copy.copy(self)
+        other.policy = policy
+        return other
+
+    def snapshot(self) -> ExactEvaluator:
+        """An evaluator of the policy as it is now, whatever it learns later; its potentials are computed once."""
+        potentials = self.potentials()
+        other = copy.copy(self)
+        other._potentials = potentials
+        return other
+
+    def potentials(self) -> np.ndarray:
+        """Psi of each pair of the space."""
+        if self._potentials is not None:
+            return self._potentials
+        space, policy = self.space, self.policy
+        if named := policy.named() & space.objects:
+            raise NppgError(f"the policy names {sorted(named)}, which the domain declares interchangeable")
+        if policy.table.bounds and any(isinstance(each, int | float) for each in space.objects):
+            raise NppgError(f"the policy compares numbers, and {space.domain.path} declares numbers interchangeable")
+        if len(self._row) == 0 or self._answers.shape[1] != policy.width:
+            rows = [policy.answers(*pairs) for pairs in zip(space.states, space.actions, strict=True) if pairs[1]]
+            self._answers, self._row = _distinct(np.concatenate(rows))
+        return policy.potentials_of(self._answers)[self._row]
+
+    def probabilities(self, greedy: bool = False) -> np.ndarray:
+        """pi(s, a) of each pair of the space; the greedy policy chooses evenly among the best actions."""
+        potentials = self.potentials()
+        probabilities = gibbs_of_groups(potentials, self._first)
+        if not self._is_greedy(greedy):
+            return probabilities
+        sizes = np.diff(self._first, append=len(probabilities))
+        highest = np.repeat(np.maximum.reduceat(probabilities, self._first), sizes)
+        best = is_best(probabilities, highest).astype(float)
+        return best / np.repeat(np.add.reduceat(best, self._first), sizes)
+
+    def _is_greedy(self, wanted: bool) -> bool:
+        return wanted or self.policy.greedy
+
+    def by_class(self, greedy: bool = False, horizon_factor: float = 1.0) -> tuple[np.ndarray, np.ndarray]:
+        """The success probability and the expected number of steps from each class of the space, 0 where it is not a
+        start. By backward induction: V_t(s), the probability to reach a goal state within t steps, and U_t(s), the
+        expected number of steps when at most t are taken."""
+        space = self.space
+        flow = self.probabilities(greedy)[space.origin] * space.weight
+        source = space.owner[space.origin]
+        goal = np.array([float(status == "goal") for status in space.status])
+        limits = np.array([math.ceil(horizon_factor * horizon) for horizon in space.horizons])
+        value, length = goal, np.zeros(len(goal))
+        success, steps = np.zeros(len(goal)), np.zeros(len(goal))
+        for t in range(1, limits.max(initial=0) + 1):
+            value = goal + np.bincount(source, flow * value[space.target], len(goal))
+            length = space.running + np.bincount(source, flow * length[space.target], len(goal))
+            success[limits == t], steps[limits == t] = value[limits == t], length[limits == t]
+        return success * space.running, steps * space.running
+
+    def certain(self, greedy: bool = False) -> np.ndarray:
+        """From which start classes no possible course misses the goal; without probabilities, so nothing is rounded.
+        The stochastic policy can take every legal action."""
+        space = self.space
+        taken = self.probabilities(True) > 0 if self._is_greedy(greedy) else np.ones(len(space.owner), bool)
+        possible = taken[space.origin]
+        source, target = space.owner[space.origin][possible], space.target[possible]
+        goal = np.array([status == "goal" for status in space.status])
+        limits = np.array(space.horizons)
+        sure, found = goal, np.zeros(len(goal), bool)
+        for t in range(1, limits.max() + 1):
+            missing = np.bincount(source, ~sure[target], len(goal)) > 0
+            sure = goal | space.running & ~missing
+            found |= sure & (limits == t)
+        return found & space.running
+
+    def sample(
+        self, starts: np.ndarray, rng: np.random.Generator, greedy: bool = False, horizon_factor: float = 1.0
+    ) -> np.ndarray:
+        """One episode from each of the classes `starts`: whether it reaches the goal. States of one class differ by
+        names alone, so this draws from the same distribution as acting in the states themselves."""
+        space = self.space
+        heads = np.searchsorted(space.owner, np.arange(len(space.states) + 1))  # first pair of each class
+        outcomes = np.searchsorted(space.origin, np.arange(len(space.owner) + 1))
+        chance, weight = np.cumsum(self.probabilities(greedy)), np.cumsum(space.weight)
+        limits = np.ceil(horizon_factor * np.array(space.horizons)[starts])
+        now, goal = np.array(starts), np.array([status == "goal" for status in space.status])
+        for t in range(int(limits.max(initial=0))):
+            acting = np.flatnonzero(space.running[now] & (t < limits))
+            pairs = _drawn(chance, heads[now[acting]], heads[now[acting] + 1], rng)
+            now[acting] = space.target[_drawn(weight, outcomes[pairs], outcomes[pairs + 1], rng)]
+        return goal[now]
+
+    def evaluate(self, greedy: bool = False, horizon_factor: float = 1.0) -> Evaluation:
+        """The mean over all start states."""
+        success, steps = self.by_class(greedy, horizon_factor)
+        share = np.array([size / self.space.starts for size in self.space.sizes])
+        greedy = self._is_greedy(greedy)
+        return Evaluation(math.fsum(share * success), self.space.starts, True, greedy, math.fsum(share * steps))
+
+
+def _drawn(cumulative: np.ndarray, first: np.ndarray, end: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """For each stretch from `first` to `end` a number of it, drawn by its share of the cumulative weights."""
+    low, high = np.where(first > 0, cumulative[first - 1], 0.0), cumulative[end - 1]
+    found = np.searchsorted(cumulative, low + rng.random(len(first)) * (high - low), side="right")
+    return np.clip(found, first, end - 1)
+
+
+def _distinct(rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The distinct rows, and the number of each row among them."""
+    keys = np.packbits(rows, axis=1) if rows.dtype == bool else rows
+    _, first, number = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    return rows[first], number.reshape(-1)  # NumPy 2.0 gives a column
+
+
+def evaluate_exactly(policy: Policy, greedy: bool = False, horizon_factor: float = 1.0) -> Evaluation:
+    """Exact: over all start states of a domain that declares a uniform start over a finite space. Raises
+    NppgError for other domains."""
+    return ExactEvaluator(policy).evaluate(greedy, horizon_factor)

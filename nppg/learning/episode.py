@@ -1,0 +1,95 @@
+"""Episodes, as they were."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from nppg.errors import NppgError, Problem
+from nppg.learning.options import Common
+from nppg.policy.policy import Policy, choose
+from nppg.worlds.domain import Action, State, World
+
+IDLE = 1000  # episodes in a row without a step, after which there is nothing to wait for
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A state as the policy sees it, with its legal actions, the answers to the policy's tests about them (shape
+    (actions, tests)), their potentials and probabilities, the index of the action taken, and the reward; and the state
+    as it is."""
+
+    state: State
+    actions: Sequence[Action]
+    answers: np.ndarray
+    potentials: np.ndarray
+    probabilities: np.ndarray
+    chosen: int
+    reward: float
+    actual: State
+
+
+@dataclass(frozen=True, slots=True)
+class Episode:
+    """The steps, the last state as the policy sees it, its legal actions (none where it is a goal or terminal state),
+    and whether it is a goal state. `guided`: the expert, who sees states as they are, chose the actions. `actual`: the
+    last state as it is."""
+
+    steps: tuple[Step, ...]
+    last: State
+    open: Sequence[Action]
+    success: bool
+    guided: bool
+    actual: State
+
+
+def generate_episode(
+    policy: Policy,
+    rng: np.random.Generator,
+    guidance: float = 0.0,
+    horizon_factor: float = 1.0,
+    greedy: bool = False,
+) -> Episode:
+    """Draws a start state and acts until the episode ends: in a goal or terminal state, or after
+    horizon_factor times the domain's horizon.
+
+    With probability `guidance` the whole episode is a trace of the domain's expert. Raises NppgError where the
+    domain's code is at fault.
+    """
+    domain: World = policy.domain
+    guided = guidance > 0 and bool(rng.random() < guidance)
+    state = domain.start(rng)
+    limit = math.ceil(horizon_factor * domain.horizon(state))
+    steps: list[Step] = []
+    status, actions = domain.situation(state)
+    while status == "running" and len(steps) < limit:
+        seen = domain.observe(state, rng)
+        answers = policy.answers(seen, actions)
+        potentials = policy.potentials_of(answers)
+        probabilities = policy.probabilities_of(potentials)
+        advice = [each for each in domain.expert_actions(state) if each in actions] if guided else []
+        if advice:
+            chosen = actions.index(advice[int(rng.random() * len(advice))])
+        else:
+            chosen = choose(probabilities, rng, greedy)
+        reward, following = domain.act(state, actions[chosen], rng)
+        steps.append(Step(seen, actions, answers, potentials, probabilities, chosen, reward, state))
+        state = following
+        status, actions = domain.situation(state)
+    return Episode(tuple(steps), domain.observe(state, rng), actions, status == "goal", guided, state)
+
+
+def training_episodes(policy: Policy, rng: np.random.Generator, options: Common) -> Iterator[Episode]:
+    """The episodes of a training run, each by the policy as it is by then. Raises NppgError where no episode takes a
+    step any more."""
+    idle = 0
+    for _ in range(options.episodes):
+        episode = generate_episode(policy, rng, options.guidance, options.horizon_factor)
+        idle = 0 if episode.steps else idle + 1
+        if idle == IDLE:
+            message = f"{idle} episodes took no step: their starts were goal or terminal states, or the horizon 0"
+            raise NppgError([Problem(str(policy.domain.path), 0, 0, message)])
+        yield episode

@@ -1,0 +1,102 @@
+"""TREENPPG: Algorithm 1 of Kersting and Driessens (2008)."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from nppg.bias.language_bias import LanguageBias
+from nppg.learning.critic import critic
+from nppg.learning.episode import Episode, Step, training_episodes
+from nppg.learning.gradient import functional_gradient, taken_gradient
+from nppg.learning.line_search import step_size
+from nppg.learning.options import Options
+from nppg.learning.regressors import Examples, regressor
+from nppg.learning.visits import Visit, kept, normalised, revisited
+from nppg.policy.policy import Policy
+from nppg.trees.tilde import Newton
+from nppg.trees.tree import leaves
+from nppg.worlds.domain import Action, Domain, State
+
+
+@dataclass(frozen=True, slots=True)
+class Iteration:
+    """The policy after one more tree; `episodes` counts all so far, `recent` are those since the last tree."""
+
+    policy: Policy
+    episodes: int
+    recent: tuple[Episode, ...]
+
+
+def updated_actions(step: Step, options: Options) -> slice:
+    """Which of a step's actions get an example."""
+    return slice(None) if options.update == "all" else slice(step.chosen, step.chosen + 1)
+
+
+def examples(batch: Sequence[Visit], options: Options, trees: int = 0) -> Examples:
+    """The functional gradient at each updated action b (Proposition 3.1); for a second-order step also the curvature
+    |value| pi(s, b) (1 - pi(s, b)), and lambda as it is after so many trees."""
+    states: list[State] = []
+    actions: list[Action] = []
+    answers, gradients, curvatures = [], [], []
+    importance = options.importance
+    assert importance is not None
+    for step, value, _ in batch:
+        updated, probabilities = updated_actions(step, options), step.probabilities
+        if options.update == "all":
+            gradients.append(functional_gradient(probabilities, step.chosen, value, importance))
+        else:
+            gradients.append(np.array([taken_gradient(probabilities, step.chosen, value)]))
+        curvatures.append((abs(value) * probabilities * (1 - probabilities))[updated])
+        answers.append(step.answers[updated])
+        actions += step.actions[updated]
+        states += [step.state] * len(gradients[-1])
+    regularisation = options.regularisation * (1 + options.regularisation_growth * trees)
+    newton = Newton(np.concatenate(curvatures), regularisation, options.clip)
+    return Examples(
+        states,
+        actions,
+        np.concatenate(answers),
+        np.concatenate(gradients),
+        newton if options.step == "second-order" else None,
+    )
+
+
+def wanted(trees: int, options: Options) -> float:
+    """More examples than this are gathered for the tree that follows so many: min_examples (1 + growth trees)."""
+    return options.min_examples + options.min_examples * options.examples_growth * trees
+
+
+def train(domain: Domain, bias: LanguageBias, options: Options | None = None) -> Iterator[Iteration]:
+    """Yields after each tree, the first time before the first one. Raises NppgError."""
+    options = options or Options()
+    rng = np.random.default_rng(options.seed)
+    learner, judge = regressor(domain, bias, options), critic(domain, bias, options)
+    policy = Policy(domain, bias, learner.table)
+    memory: deque[Visit] = deque(maxlen=options.replay)
+    batch: list[Visit] = []
+    recent: list[Episode] = []
+    gathered = 0
+    yield Iteration(policy, 0, ())
+    for count, episode in enumerate(training_episodes(policy, rng, options), 1):
+        recent.append(episode)
+        new = judge.visits(episode)
+        gathered += sum(len(visit.step.actions[updated_actions(visit.step, options)]) for visit in kept(new, options))
+        batch += new
+        grown = len(policy.trees)
+        enough = gathered > wanted(grown, options)
+        if count < options.episodes and not (enough and len(recent) >= options.episodes_per_iteration):
+            continue
+        if enough:
+            learned = normalised(kept(batch, options), options)
+            replayed = [revisited(visit, policy) for visit in memory]
+            tree = learner.fit(examples([*replayed, *learned], options, grown))
+            eta = step_size(tree, learned, policy, options)
+            memory.extend(visit for visit in learned if visit.value != 0)
+            policy.add(tree, eta, f"step size {eta}, {gathered} examples, {leaves(tree)} leaves")
+            judge.learn(batch)
+        yield Iteration(policy, count, tuple(recent))
+        batch, recent, gathered = [], [], 0

@@ -1,0 +1,1 @@
+"""The policy: a Gibbs distribution over a sum of trees, and its file."""

@@ -1,0 +1,53 @@
+"""Copies of a run's input files beside its model, and what may stand in their way."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Collection, Mapping
+from functools import partial
+from pathlib import Path
+
+from nppg.bridge.files import replacing, sha256
+from nppg.errors import Problem
+
+
+def conflicts(folder: Path, copies: Mapping[str, bytes], own: Collection[str]) -> dict[str, Problem]:
+    """Which copies, contents by name, cannot be put into a folder: those whose name is one of the model's `own` files,
+    and those in place of which stands something else that no run of nppg wrote there."""
+    recorded = recorded_hashes(folder)
+    found = {}
+    for name, source in copies.items():
+        path = folder / name
+        present = _contents(path)
+        if name in own:
+            found[name] = Problem(str(path), 0, 0, "a model needs another name than its domain's file")
+        elif present not in (None, source) and sha256(present or b"") != recorded.get(name):
+            message = "there is another file of this name, which is left as it is: write into another folder"
+            found[name] = Problem(str(path), 0, 0, message)
+    return found
+
+
+def write_copies(folder: Path, copies: Mapping[str, bytes]) -> None:
+    """Writes the copies that are not there yet."""
+    for name, source in copies.items():
+        if _contents(folder / name) != source:
+            replacing(folder / name, partial(Path.write_bytes, data=source))
+
+
+def recorded_hashes(folder: Path) -> dict[str, str]:
+    """SHA-256 of the inputs that the last run into a folder put there, by name."""
+    try:
+        summary = json.loads((folder / "run.json").read_text())
+        return {each["file"]: each["sha256"] for each in (summary["domain"], summary["bias"]) if each}
+    except (OSError, ValueError, KeyError, TypeError):
+        return {}
+
+
+def _contents(path: Path) -> bytes | None:
+    """What stands in a file, nothing where there is none or it cannot be read."""
+    try:
+        return path.read_bytes()
+    except (FileNotFoundError, NotADirectoryError):
+        return None
+    except OSError:
+        return b""

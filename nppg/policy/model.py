@@ -1,0 +1,194 @@
+"""Model files: written as Prolog that a person can read, read back strictly as data.
+
+The head of the file describes the policy by facts model(Name, Value): the domain and its parameters, the
+templates and predicates of the language bias, and what the caller adds, such as the options of the run.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple, Protocol
+
+from nppg import __version__
+from nppg.bias.language_bias import LanguageBias, Template, TreeLimits
+from nppg.bridge.files import replacing
+from nppg.bridge.prolog import ask, ground
+from nppg.errors import NppgError, Problem, suggestion
+from nppg.logic.subsumption import deciding_tests
+from nppg.policy.copies import conflicts, write_copies
+from nppg.trees.clauses import from_clause
+from nppg.trees.tree import Rule, Tree, from_rules
+from nppg.worlds.domain import Domain
+from nppg.worlds.opening import open_domain
+
+FORMAT = 1
+
+
+class Writable(Protocol):
+    """What a model file is written from: a policy."""
+
+    domain: Domain
+    bias: LanguageBias
+    name: str  # of its clauses in Prolog
+    trees: list[Tree]
+    comments: list[str]
+
+    def stored(self) -> tuple[Writable, list[tuple]]: ...
+
+
+class Stored(NamedTuple):
+    """What a model file holds: its trees, the domain and what was looked at there, and the facts of its head."""
+
+    domain: Domain
+    bias: LanguageBias
+    trees: list[Tree]
+    facts: Mapping[str, list]
+
+
+def write(policy: Writable, path: Path, facts: Sequence[tuple] = (), sentences: Sequence[Sequence[str]] = ()) -> None:
+    """Writes the model, and a copy of its domain beside it, into a folder that is made if need be. Raises NppgError
+    where there are `conflicts`."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise NppgError([Problem(str(path.parent), 0, 0, f"the folder cannot be made: {error.strerror}")]) from None
+    copies = {policy.domain.path.name: policy.domain.source}
+    if problems := conflicts(path.parent, copies, [path.name]):
+        raise NppgError(problems.values())
+    write_copies(path.parent, copies)
+    write_model(policy, path, facts, sentences)
+
+
+def write_model(
+    policy: Writable, path: Path, facts: Sequence[tuple] = (), sentences: Sequence[Sequence[str]] = ()
+) -> None:
+    """Writes the model alone; `sentences`, if given, has for each tree one for each of its rules."""
+    policy, own = policy.stored()
+    domain, bias = policy.domain, policy.bias
+    templates = {each.name for each in (*bias.actions, bias.goal) if each}
+    described = [
+        ("format", FORMAT),
+        ("nppg", __version__),
+        ("prolog", ask("version")),
+        ("domain", domain.path.name),
+        ("domain_sha256", domain.hash),
+        *(("parameter", ("=", name, value)) for name, value in domain.parameters.items()),
+        *(("action", (each.name, *each.types) if each.types else each.name) for each in bias.actions),
+        *([("goal", (bias.goal.name, *bias.goal.types))] if bias.goal else []),
+        *(
+            ("literal", (name, *types) if types else name)
+            for name, types in bias.types.items()
+            if name not in templates
+        ),
+        *facts,
+        *own,
+        ("trees", len(policy.trees)),
+    ]
+    entries = [[key, value] for key, value in described]
+    comments = [[each] for each in policy.comments]
+    if sentences:
+        comments = [[*comment, *said] for comment, said in zip(comments, sentences, strict=True)]
+    replacing(
+        path,
+        lambda temporary: ask("save", str(temporary), domain.name, domain.path.name, entries, policy.name, comments),
+    )
+
+
+def read(path: Path, parameters: Mapping[str, int | float | str]) -> Stored:
+    """Reads a model. Its domain is the copy beside it, else the shipped one of that name.
+
+    Raises NppgError for what is no model, is cut off, or uses an action or a predicate that it does not declare
+    or its domain does not have; warns where the domain is `another_domain`.
+    """
+    try:
+        path.open("rb").close()
+    except OSError as error:
+        raise NppgError([Problem(str(path), 0, 0, f"cannot be read: {error.strerror}")]) from None
+    facts, _, domain_file, clauses = ask("model", str(path))
+    known: dict[str, list] = {}
+    for key, value in facts:
+        known.setdefault(key, []).append(ground(value))
+    if known.get("format") != [FORMAT]:
+        raise _wrong(path, 1, f"model(format, {FORMAT}) is missing: written by another version of nppg?")
+    if Path(domain_file).name != domain_file:
+        raise _wrong(path, 1, f"the domain stands beside its model: {domain_file} cannot be its file")
+    beside = path.parent / domain_file
+    file = beside if beside.is_file() else Path(domain_file).stem
+    domain = open_domain(file, {**_parameters(path, known), **parameters})
+    bias = _bias(path, known, domain)
+    trees = [
+        from_rules(rules, lambda query, literals: deciding_tests(query, literals, len(bias.roots)))
+        for rules in _trees(path, clauses, bias, known)
+    ]
+    for problem in another_domain(path, domain, known):
+        warnings.warn(str(problem), stacklevel=3)
+    return Stored(domain, bias, trees, known)
+
+
+def another_domain(path: Path, domain: Domain, facts: Mapping[str, list]) -> list[Problem]:
+    """The problem that a policy, read from `path` with these facts, was learned in another file than that of `domain`;
+    else none."""
+    if facts.get("domain_sha256", [domain.hash]) == [domain.hash]:
+        return []
+    message = f"{domain.path} is not the file that this model was learned with: its SHA-256 is another"
+    return [Problem(str(path), 0, 0, message)]
+
+
+def _parameters(path: Path, known: Mapping[str, list]) -> dict[str, int | float | str]:
+    parameters = {}
+    for fact in known.get("parameter", []):
+        match fact:
+            case ("=", str(name), int(value) | float(value) | str(value)):
+                parameters[name] = value
+            case _:
+                raise _wrong(path, 1, f"model(parameter, Name=Value) is expected, not {fact}")
+    return parameters
+
+
+def _bias(path: Path, known: Mapping[str, list], domain: Domain) -> LanguageBias:
+    def template(term: str | tuple) -> Template:
+        name, *types = term if isinstance(term, tuple) else (term,)
+        if not all(isinstance(each, str) for each in (name, *types)):
+            raise _wrong(path, 1, f"a predicate with types is expected, not {term}")
+        return Template(name, tuple(types))
+
+    literals = [template(term) for term in known.get("literal", [])]
+    actions = tuple(map(template, known.get("action", [])))
+    goal = next(map(template, known.get("goal", [])), None)
+    if not actions:
+        raise _wrong(path, 1, "the model declares no action")
+    for each in literals if goal is None else [goal, *literals]:
+        if (each.name, len(each.types)) not in domain.predicates:
+            near = suggestion(each.name, (name for name, _ in domain.predicates))
+            raise _wrong(
+                path, 1, f"{domain.path} does not have {each.name}/{len(each.types)}{near}: is it another domain?"
+            )
+    types = {each.name: each.types for each in (*actions, *literals, *([goal] if goal else []))}
+    file = next((path.parent / str(name) for name in known.get("bias", [])), path)
+    return LanguageBias(str(file), actions, goal, types, {}, (), 0, 0, TreeLimits())
+
+
+def _trees(path: Path, clauses: list, bias: LanguageBias, known: Mapping[str, list]) -> list[list[Rule]]:
+    trees: list[list[Rule]] = []
+    open_tree = False
+    for line, number, head, body, value, final in clauses:
+        if not open_tree:
+            trees.append([])
+        if number != len(trees):
+            raise _wrong(path, line, f"a rule of tree {len(trees)} is expected here, not of tree {number}")
+        try:
+            trees[-1].append(from_clause(head, body, value, bias))
+        except ValueError as error:
+            raise _wrong(path, line, str(error)) from None
+        open_tree = final != "true"
+        if not open_tree and trees[-1][-1].query:
+            raise _wrong(path, line, "the last rule of a tree has to hold for all actions")
+    if open_tree or known.get("trees") != [len(trees)]:
+        raise _wrong(path, clauses[-1][0] if clauses else 1, "the model is cut off here: rules are missing")
+    return trees
+
+
+def _wrong(path: Path, line: int, message: str) -> NppgError:
+    return NppgError([Problem(str(path), line, 0, message)])

@@ -1,0 +1,161 @@
+"""The policy: a Gibbs distribution over a potential that is a sum of relational regression trees."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nppg.answers.coverage import table_of
+from nppg.answers.table import Table, TestTable
+from nppg.bias.language_bias import LanguageBias
+from nppg.bridge.prolog import ask, drop_with
+from nppg.errors import NppgError, Problem, suggestion
+from nppg.logic.query import Var
+from nppg.policy import model
+from nppg.policy.forest import Forest
+from nppg.policy.gibbs import gibbs
+from nppg.trees.clauses import to_clause
+from nppg.trees.tree import Tree, leaves, mapped, rules, tests
+from nppg.worlds.domain import Action, Domain, Ground, State
+
+
+class Policy:
+    """Psi_m = Psi_{m-1} + eta_m h_m, and pi(s, a) = exp Psi(s, a) / sum_b exp Psi(s, b).
+
+    The trees are stored in Prolog as clauses; `potentials` is their sum, by way of each pair's answers to the
+    tests of `table` (see nppg.policy.forest), `prolog_potentials` asks the clauses themselves.
+    """
+
+    greedy = False  # whether it takes an action of the highest potential wherever it does not learn
+
+    def __init__(self, domain: Domain, bias: LanguageBias, table: Table | None = None):
+        self.domain = domain
+        self.bias = bias
+        self.table = TestTable(domain, bias) if table is None else table
+        self.trees: list[Tree] = []
+        self.comments: list[str] = []
+        self.facts: Mapping[str, list] = {}  # what the head of its model file says, where it was read from one
+        signatures = [(each.name, each.types) for each in bias.actions] + list(bias.types.items())
+        self.name: str = ask("policy", domain.module, [[name, *types] for name, types in signatures])
+        drop_with(self, "policy_drop", self.name)
+        self._forest = Forest()
+        self._leaves = 0
+
+    def add(self, tree: Tree, step_size: float = 1.0, comment: str = "") -> None:
+        """Adds step_size * tree to the potential."""
+        scaled = mapped(tree, lambda value: float(value * step_size))
+        ask("tree", self.name, [to_clause(rule, self.bias) for rule in rules(scaled)])
+        self.table.add(tests(scaled))
+        self._forest.add(scaled, self.table.place)
+        self.trees.append(scaled)
+        self.comments.append(comment or f"{leaves(tree)} leaves")
+        self._leaves += leaves(tree)
+
+    def potentials(self, state: State, actions: Sequence[Action]) -> np.ndarray:
+        """Psi(s, a) of each action, shape (actions,)."""
+        return self.potentials_of(self.answers(state, actions))
+
+    def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
+        """All that the potential depends on, a row for each action: the answers to the table's tests."""
+        return self.table.answers(state, actions)
+
+    @property
+    def width(self) -> int:
+        """The length of a row of `answers`; it changes where a tree has brought new tests."""
+        return len(self.table)
+
+    def potentials_of(self, answers: np.ndarray) -> np.ndarray:
+        """The potentials of pairs with these answers, shape (pairs,)."""
+        return self._forest.sums(answers)
+
+    def probabilities_of(self, potentials: np.ndarray) -> np.ndarray:
+        """pi(s, a), with which it takes the actions of a state that have these potentials, shape (actions,)."""
+        return gibbs(potentials)
+
+    def prolog_potentials(self, state: State, actions: Sequence[Action]) -> np.ndarray:
+        """Psi(s, a) summed clause by clause in Prolog."""
+        self.domain.visit(state)
+        return np.array(ask("potentials", self.name, actions))
+
+    def distribution(self, state: State, actions: Sequence[Action]) -> np.ndarray:
+        """pi(s, a) of each action, shape (actions,)."""
+        return self.probabilities_of(self.potentials(state, actions))
+
+    def act(self, state: State, rng: np.random.Generator, greedy: bool = False) -> Action:
+        """Draws a legal action from the distribution, or one of the most probable ones. Raises NppgError where
+        there is none."""
+        status, actions = self.domain.situation(state)
+        if not actions:
+            raise NppgError(f"there is no action to choose: the state is a {status} state")
+        seen = self.domain.observe(state, rng)
+        return actions[choose(self.distribution(seen, actions), rng, greedy or self.greedy)]
+
+    def named(self) -> set[Ground]:
+        """The constants that its tests name."""
+        literals = (literal for test in self.table.tests for literal in test)
+        return {arg for literal in literals for arg in literal.args if not isinstance(arg, Var)}
+
+    def sizes(self) -> dict[str, int]:
+        """What it consists of, with numbers."""
+        return {"trees": len(self.trees), "leaves": self._leaves}
+
+    def stored(self) -> tuple[Policy, list[tuple]]:
+        """The policy as model files have it, and facts for the head of such a file."""
+        return self, []
+
+    def option(self, name: str, default: Any) -> Any:
+        """The value of an option of the run that a loaded policy comes from, as its model file says."""
+        for fact in self.facts.get("option", []):
+            match fact:
+                case ("=", str(known), value) if known == name:
+                    return value
+        return default
+
+    def rules(self, tree: int) -> list[str]:
+        """The clauses of a tree (from 1), one line each."""
+        return ask("rules", self.name, tree)
+
+    def save(self, path: str | Path, facts: Sequence[tuple] = (), sentences: Sequence[Sequence[str]] = ()) -> None:
+        """Writes a model file, with `facts` in its head: pairs of a name and a term; and, if given, with `sentences`
+        above its rules, for each tree one for each rule. A copy of the domain comes to stand beside it; raises
+        NppgError where another file of that name is there. See nppg.policy.model and nppg.rules.explain."""
+        model.write(self, Path(path), facts, sentences)
+
+    @classmethod
+    def load(cls, path: str | Path, parameters: dict | None = None) -> Policy:
+        """Reads a model file, as data. `parameters` change those of its domain. A learner whose policies are more than
+        their trees says how its files are read by an entry point `nppg.learners` of its own name. Raises NppgError."""
+        domain, bias, trees, facts = model.read(Path(path), parameters or {})
+        policy = cls(domain, bias, table_of([test for tree in trees for test in tests(tree)], domain, bias))
+        policy.facts = facts
+        for tree in trees:
+            policy.add(tree)
+        for learner in facts.get("learner", ()):
+            policy = _reader(str(learner), Path(path))(policy, Path(path))
+        return policy
+
+
+def _reader(learner: str, path: Path) -> Callable[[Policy, Path], Policy]:
+    """What makes a learner's policy from the trees of its file. Raises NppgError where there is no such learner."""
+    for known in entry_points(group="nppg.learners", name=learner):
+        return known.load()
+    names = entry_points(group="nppg.learners").names
+    raise NppgError([Problem(str(path), 1, 0, f"there is no learner {learner}{suggestion(learner, names)}")])
+
+
+def choose(probabilities: np.ndarray, rng: np.random.Generator, greedy: bool = False) -> int:
+    """Draws an index by its probability; greedy: one of the most probable, each as likely as the others."""
+    if greedy:
+        best = np.flatnonzero(is_best(probabilities, probabilities.max()))
+        return int(best[int(rng.random() * len(best))])
+    drawn = int(probabilities.cumsum().searchsorted(rng.random(), side="right"))
+    return min(drawn, len(probabilities) - 1)
+
+
+def is_best(probabilities: np.ndarray, highest: np.ndarray | float) -> np.ndarray:
+    """Which probabilities are the highest, but for rounding."""
+    return probabilities >= highest * (1 - 1e-9)

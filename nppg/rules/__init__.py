@@ -1,0 +1,1 @@
+"""What people read: distilled rules, sentences, proofs, pictures of trees."""

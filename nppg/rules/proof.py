@@ -1,0 +1,112 @@
+"""A proof of a policy's success: what it does from every class of states, tied by hashes to the files it is about."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+
+from nppg import __version__
+from nppg.bridge.files import file_hash, replacing
+from nppg.errors import NppgError, Problem
+from nppg.judging.evaluation import ExactEvaluator
+from nppg.judging.space import Space
+from nppg.policy.model import another_domain
+from nppg.policy.policy import Policy
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """A class of start states from which the policy can fail: one of its states, drawn and as facts, how many there
+    are, and the success probability."""
+
+    picture: tuple[str, ...]
+    state: tuple
+    states: int
+    success: float
+
+
+@dataclass(frozen=True, slots=True)
+class Proof:
+    """`success` is the share of all `starts` start states, times the probability to succeed there; `failures` are the
+    classes from which the goal can be missed, the likeliest failure first."""
+
+    nppg: str
+    model_sha256: str
+    domain_sha256: str
+    parameters: dict[str, int | float | str]
+    greedy: bool
+    classes: int
+    states: int
+    starts: int
+    success: float
+    failures: tuple[Failure, ...]
+
+    @property
+    def complete(self) -> bool:
+        """Whether the policy succeeds for certain from every start state."""
+        return not self.failures
+
+    def save(self, path: Path) -> None:
+        """Writes the certificate, as JSON."""
+        replacing(path, lambda temporary: temporary.write_text(json.dumps(asdict(self), indent=1) + "\n"))
+
+
+def prove(policy: Policy, model: Path, greedy: bool = True, space: Space | None = None) -> Proof:
+    """Goes through every class of states: those of `space`, where it is given. Raises NppgError where the domain is not
+    the one that the model was made with, and as nppg.judging.evaluation.ExactEvaluator does."""
+    if problems := another_domain(model, policy.domain, policy.facts):
+        raise NppgError(problems)
+    greedy = greedy or policy.greedy
+    judge = ExactEvaluator(policy, space)
+    space = judge.space
+    success, _ = judge.by_class(greedy)
+    failing = np.flatnonzero(space.running & ~judge.certain(greedy))
+    return Proof(
+        __version__,
+        file_hash(model),
+        policy.domain.hash,
+        policy.domain.parameters,
+        greedy,
+        len(space.states),
+        sum(space.sizes),
+        space.starts,
+        judge.evaluate(greedy).success if len(failing) else 1.0,
+        tuple(
+            Failure(tuple(policy.domain.picture(space.states[i])), space.states[i], space.sizes[i], float(success[i]))
+            for i in sorted(failing, key=lambda i: (success[i] - 1) * space.sizes[i])
+        ),
+    )
+
+
+def check_certificate(certificate: Path, proof: Proof) -> None:
+    """Raises NppgError where a certificate says anything else than this proof of the policy as it is now."""
+    try:
+        claimed = json.loads(certificate.read_text())
+    except OSError as error:
+        raise NppgError([Problem(str(certificate), 0, 0, f"cannot be read: {error.strerror}")]) from None
+    except (ValueError, RecursionError):
+        claimed = None
+    if not isinstance(claimed, dict) or "model_sha256" not in claimed:
+        raise NppgError([Problem(str(certificate), 0, 0, "this is no certificate of nppg")])
+    proved = json.loads(json.dumps(asdict(proof)))
+    wrong = [name for name in (proved | claimed) if not _agree(claimed.get(name), proved.get(name))]
+    if wrong:
+        names = ", ".join(name.removesuffix("_sha256") for name in wrong)
+        message = f"the certificate says something else than the proof of this policy about: {names}"
+        raise NppgError([Problem(str(certificate), 0, 0, message)])
+
+
+def _agree(one: object, other: object) -> bool:
+    """Whether two contents of JSON are the same, but for rounding."""
+    match one, other:
+        case float(), float():
+            return math.isclose(one, other, rel_tol=1e-9, abs_tol=1e-9)
+        case list(), list():
+            return len(one) == len(other) and all(map(_agree, one, other))
+        case dict(), dict():
+            return one.keys() == other.keys() and all(_agree(one[name], other[name]) for name in one)
+    return type(one) is type(other) and one == other

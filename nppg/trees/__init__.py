@@ -1,0 +1,1 @@
+"""Regression trees, what grows them from answers and targets, and the clauses that they are."""

@@ -1,0 +1,1 @@
+"""What an agent acts in: domains in Prolog and environments of Gymnasium, opened by name."""

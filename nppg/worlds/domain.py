@@ -1,0 +1,196 @@
+"""A domain as Python sees it: states, legal actions, what they lead to.
+
+A state is a tuple of ground facts in Prolog's standard order; a fact or an action is a name, or a tuple of a
+name and its arguments: `on(a, b)` is `("on", "a", "b")`. docs/domains.md is the reference of domain files.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple, Protocol
+
+import numpy as np
+
+from nppg.bridge.files import locate
+from nppg.bridge.prolog import ask, drop_with, ground, randomness
+from nppg.errors import NppgError, Problem
+
+Ground = str | int | float | tuple
+State = tuple[Ground, ...]
+Action = Ground
+
+
+class Situation(NamedTuple):
+    """What a state is: `running`, `goal` or `terminal`; and its legal actions, none unless it is running."""
+
+    status: str
+    actions: list[Action]
+
+
+class Outcome(NamedTuple):
+    """One of the states that an action may lead to."""
+
+    probability: float
+    state: State
+
+
+def texts(terms: Sequence[Ground]) -> list[str]:
+    """Facts or actions as Prolog writes and reads them: `on(a, 'B c')`."""
+    return ask("texts", list(terms))
+
+
+class World(Protocol):
+    """What an episode needs of a domain, as Domain documents it: nppg.worlds.gym_domain has it from an environment of
+    Gymnasium in place of a domain file's predicates."""
+
+    def start(self, rng: np.random.Generator) -> State: ...
+
+    def situation(self, state: State) -> Situation: ...
+
+    def horizon(self, state: State) -> int: ...
+
+    def observe(self, state: State, rng: np.random.Generator) -> State: ...
+
+    def expert_actions(self, state: State) -> list[Action]: ...
+
+    def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]: ...
+
+
+class Domain:
+    """An instance of a domain file with its parameters; it has its own module in Prolog until it is dropped.
+
+    `name_or_path` is a shipped domain's name or a file. Raises NppgError with every mistake that can be found
+    in the file, and from all methods for mistakes that show only when the domain's code runs.
+    """
+
+    def __init__(self, name_or_path: str | Path, parameters: Mapping[str, int | float | str] | None = None):
+        self.path = locate(name_or_path, "domains", ".pl")
+        self.given = dict(parameters or {})
+        try:
+            self.source = self.path.read_bytes()
+        except OSError as error:
+            raise NppgError([Problem(str(self.path), 0, 0, f"cannot be read: {error.strerror}")]) from None
+        self.module, entries = ask("load", str(self.path.resolve()), [list(each) for each in self.given.items()])
+        drop_with(self, "unload", self.module)
+        description = dict(entries)
+        self.name: str = description["name"]
+        self.parameters: dict[str, int | float | str] = dict(description["parameters"])
+        self.fluents = {tuple(each) for each in description["fluents"]}
+        self.predicates = {tuple(each) for each in description["predicates"]}
+        self.actions = {tuple(each) for each in description["actions"]}
+        self.uniform_start: bool = description["uniform_start"] == "true"
+        self.interchangeable: list[str] = description["interchangeable"]
+        self.has_expert: bool = description["expert"] == "true"
+        self.has_goal: bool = description["goal"] == "true"
+        self.has_parts: bool = description["parts"] == "true"
+        self.has_observation: bool = description["observation"] == "true"
+        self.environment: str = description["environment"]  # of Gymnasium, which nppg.open_domain opens; or empty
+        self._current: State | None = None
+        self._situation: list | None = None  # that of the current state, where it is known
+
+    @property
+    def is_countable(self) -> bool:
+        """Whether it is for exact evaluation, if it has few enough states: it declares a uniform start, has a goal, and
+        is seen as it is."""
+        return self.uniform_start and self.has_goal and not self.has_observation
+
+    @property
+    def hash(self) -> str:
+        """SHA-256 of the file as it was loaded, in hexadecimal."""
+        return hashlib.sha256(self.source).hexdigest()
+
+    def visit(self, state: State) -> None:
+        """Makes a state the current interpretation in Prolog."""
+        if state is not self._current:
+            self.forget()
+            ask("visit", self.module, list(state))
+            self._current = state
+
+    def forget(self) -> None:
+        """To be called by who makes another state current behind this object's back."""
+        self._current = self._situation = None
+
+    def start(self, rng: np.random.Generator) -> State:
+        """Draws a start state."""
+        self.forget()
+        with randomness(rng):
+            self._current = ground(ask("draw", self.module))
+        return self._current
+
+    def situation(self, state: State) -> Situation:
+        """Whether the state ends an episode, and its legal actions in a fixed order."""
+        self.visit(state)
+        status, actions = self._situation or ask("situation", self.module)
+        return Situation(status, list(ground(actions)))
+
+    def horizon(self, state: State) -> int:
+        """The number of steps after which an episode that starts here ends."""
+        self.visit(state)
+        return ask("horizon_of", self.module)
+
+    def observe(self, state: State, rng: np.random.Generator) -> State:
+        """What a policy sees in place of the state, a tuple of facts like it: the state itself, unless the domain
+        defines observation/1, which may draw anew each time."""
+        if not self.has_observation:
+            return state
+        self.visit(state)
+        with randomness(rng):
+            return ground(ask("observed", self.module))
+
+    def expert_actions(self, state: State) -> list[Action]:
+        """What the domain's expert would do, none if it has no advice."""
+        self.visit(state)
+        return [ground(action) for action in ask("expert_actions", self.module)]
+
+    def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]:
+        """Takes an action: the reward, and the state that it leads to.
+
+        Nearly always that state's situation is asked for next: Prolog brings it along."""
+        self.visit(state)
+        self.forget()
+        with randomness(rng):
+            reward, facts, self._situation = ask("act", self.module, action)
+        self._current = ground(facts)
+        return reward, self._current
+
+    def reward(self, state: State, action: Action) -> float:
+        """The reward for an action that has just led to the state."""
+        self.visit(state)
+        return ask("reward_of", self.module, action)
+
+    def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
+        """Every legal action, also of a goal or terminal state, with all its outcomes."""
+        self.visit(state)
+        facts, found = ask("neighbours", self.module)
+        own = ground(facts)
+
+        def successor(facts: list) -> State:
+            return tuple([own[fact] if isinstance(fact, int) else ground(fact) for fact in facts])
+
+        return [
+            (ground(action), [Outcome(probability, successor(facts)) for probability, facts in outcomes])
+            for action, outcomes in found
+        ]
+
+    def picture(self, state: State) -> list[str]:
+        """The state drawn for people, line by line."""
+        self.visit(state)
+        return ask("drawing", self.module)
+
+    def parts(self, state: State) -> tuple[tuple[Ground, ...], ...]:
+        """The sequences of terms that two states are compared by: what the domain's parts/1 says, else the facts."""
+        if not self.has_parts:
+            return tuple(fact if isinstance(fact, tuple) else (fact,) for fact in state)
+        self.visit(state)
+        return ground(ask("parts_of", self.module))
+
+    def binding(self, state: State, predicate: str, arity: int) -> tuple[Ground, ...]:
+        """The arguments of a predicate's answer, which must be the only one: what the goal template is bound to."""
+        self.visit(state)
+        return ground(ask("binding_of", self.module, predicate, arity))
+
+    def members(self, predicate: str) -> list[Ground]:
+        """All X for which predicate(X) holds in the current state, sorted."""
+        return [ground(each) for each in ask("members", self.module, predicate)]

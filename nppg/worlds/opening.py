@@ -1,0 +1,57 @@
+"""What the name of a domain stands for, and which language bias goes with it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from nppg.bias.language_bias import LanguageBias
+from nppg.bridge.files import locate, shipped
+from nppg.errors import NppgError, Problem
+from nppg.worlds.domain import Domain
+from nppg.worlds.gym_domain import GymDomain, open_environment
+
+_GYM = "gym:"
+
+
+def open_domain(name_or_path: str | Path, parameters: Mapping[str, int | float | str] | None = None) -> Domain:
+    """The domain of a shipped file's name, of a file, or of gym:ID, an environment of Gymnasium, whose `parameters`
+    are gymnasium.make's arguments. Raises NppgError."""
+    if is_environment(name_or_path):
+        return open_environment(str(name_or_path).removeprefix(_GYM), parameters)
+    domain = Domain(name_or_path, parameters)
+    if domain.environment:
+        return GymDomain(name_or_path, parameters)
+    return domain
+
+
+def is_environment(name_or_path: str | Path) -> bool:
+    """Whether it is gym:ID."""
+    return str(name_or_path).startswith(_GYM)
+
+
+def language_bias_of(domain: Domain) -> LanguageBias:
+    """The language bias that `bias_path` finds; for an environment whose domain file is generated, or has none, a
+    generated one. Raises NppgError."""
+    if isinstance(domain, GymDomain) and (domain.generated or not domain.path.with_suffix(".yaml").is_file()):
+        return domain.language_bias()
+    return LanguageBias.load(bias_path(domain.path, domain.given))
+
+
+def bias_path(domain: Path, given: Mapping[str, int | float | str]) -> Path:
+    """The language bias of a domain file's name: beside it, else among the shipped ones. Raises NppgError where there
+    is none, or where a given parameter is the name of another bias in that folder: the user is to choose."""
+    path = domain.with_suffix(".yaml")
+    if not path.is_file():
+        try:
+            path = locate(domain.stem, "language_bias", ".yaml")
+        except NppgError:
+            raise NppgError(
+                [Problem(str(path), 0, 0, "there is no language bias of this name; give one by --bias")]
+            ) from None
+    for name, value in given.items():
+        other = path.parent / f"{value}.yaml"
+        if other in path.parent.glob("*.yaml") and other != path:
+            own, default = (each.stem if each.parent == shipped("language_bias") else each for each in (other, path))
+            raise NppgError(f"{name}={value} has a language bias of its own: give --bias {own}, or --bias {default}")
+    return path
