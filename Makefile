@@ -16,16 +16,17 @@ demo: setup  ## learn on(A, B) among ten blocks, distil it into rules, prove the
 	$(bin)/nppg distill runs/demo/model.pl
 	$(bin)/nppg prove runs/demo/rules.pl --output runs/demo/proof.json
 
-lint: setup  ## style and types
+lint: setup  ## style, types, and the walls between the rooms of nppg/
 	$(bin)/ruff check
 	$(bin)/mypy nppg
+	$(bin)/lint-imports --no-logo
 
-test: lint  ## style, types, then every test
+test: lint  ## what lint does, then every test
 	$(bin)/pytest -q
 
 bench: setup  ## the speed table of docs/performance.md
 	$(bin)/python -m benchmarks
 
 clean:  ## remove runs and caches, keep the set-up
-	rm -rf runs build dist .coverage .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -rf runs build dist .coverage .hypothesis .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
 	find . -name __pycache__ -not -path './.venv/*' -not -path './.swipl/*' -prune -exec rm -rf {} +

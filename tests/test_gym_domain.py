@@ -12,7 +12,7 @@ from samples import in_plain_prolog, term
 
 from nppg import NppgError, Options, Policy, evaluate, generate_episode, language_bias_of, open_domain, run
 from nppg.answers.coverage import table_of
-from nppg.bridge.prolog import interruptible
+from nppg.bridge.interrupts import interruptible
 from nppg.cli.main import main
 from nppg.learning.episode import Episode
 from nppg.worlds.domain import Ground, State
@@ -156,7 +156,7 @@ def test_an_episode_asks_prolog_nothing(monkeypatch: pytest.MonkeyPatch) -> None
     def asked(*_: object) -> None:
         pytest.fail("Prolog is asked")
 
-    for module in ("domain", "coverage", "table"):
+    for module in ("worlds.domain", "answers.coverage", "answers.table"):
         monkeypatch.setattr(f"nppg.{module}.ask", asked, raising=False)
     assert generate_episode(policy, np.random.default_rng(1)).last == played.last
     with pytest.raises(pytest.fail.Exception):

@@ -22,8 +22,8 @@ from nppg.answers.coverage import root_table
 from nppg.bias.refinement import Refiner
 from nppg.bridge.files import shipped
 from nppg.bridge.prolog import ground
-from nppg.gym_env.bounded import BoundedEnv, most_actions
 from nppg.gym_env import Choice, DomainEnv, Facts, register
+from nppg.gym_env.bounded import BoundedEnv, most_actions
 from nppg.worlds.domain import texts
 from nppg.worlds.opening import language_bias_of, open_domain
 
@@ -356,10 +356,10 @@ def test_a_bias_is_missing(line: Path) -> None:
         BoundedEnv(line)
 
 
-@pytest.mark.parametrize("module", ["gym_env", "gym_bounded"])
+@pytest.mark.parametrize("module", ["gym_env", "gym_env.bounded"])
 def test_gymnasium_is_missing(module: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "gymnasium", None)
-    for each in ("gym_env", "gym_bounded"):
-        monkeypatch.delitem(sys.modules, f"nppg.{each}")
+    for each in ("gym_env", "gym_env.domain_env", "gym_env.bounded"):
+        monkeypatch.delitem(sys.modules, f"nppg.{each}", raising=False)
     with pytest.raises(NppgError, match=r"^an environment of Gymnasium needs gymnasium: pip install 'nppg\[gym\]'$"):
         importlib.import_module(f"nppg.{module}")

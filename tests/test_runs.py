@@ -18,7 +18,7 @@ import pytest
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge import prolog
 from nppg.bridge.files import shipped
-from nppg.bridge.prolog import interruptible, undisturbed
+from nppg.bridge.interrupts import interruptible, undisturbed
 from nppg.cli.main import main
 from nppg.errors import NppgError
 from nppg.experiments.runs import run

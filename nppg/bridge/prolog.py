@@ -6,7 +6,6 @@ raised as NppgError, so no Prolog exception leaves this module.
 
 from __future__ import annotations
 
-import signal
 import weakref
 from collections import deque
 from collections.abc import Iterable, Iterator
@@ -17,6 +16,7 @@ import numpy as np
 
 from nppg.bridge import home as prolog_home
 from nppg.bridge.files import shipped
+from nppg.bridge.interrupts import heed_interrupt
 from nppg.errors import NppgError, Problem, suggestion
 
 prolog_home.prepare()
@@ -25,8 +25,6 @@ import janus_swi  # noqa: E402
 
 _STACK_LIMIT = 256 * 2**20
 
-_interrupted = False
-_undisturbed = 0  # pieces of work that are not to be interrupted
 _dropped: deque[tuple] = deque()  # last questions about what Python has dropped
 _generator: np.random.Generator | None = None
 
@@ -70,15 +68,6 @@ def ask(question: str, *args: Any) -> Any:
     return value
 
 
-def heed_interrupt() -> None:
-    """Raises KeyboardInterrupt where Ctrl-C was pressed under `interruptible`, unless it is held back. `ask` does so;
-    what asks nothing for long calls it now and then."""
-    global _interrupted
-    if _interrupted and not _undisturbed:
-        _interrupted = False
-        raise KeyboardInterrupt
-
-
 def ground(data: Any) -> Any:
     """A ground term as it crosses, compounds as lists, as Python keeps it, compounds as tuples. A Prolog list is as
     deep as it is long, so nothing recurs here."""
@@ -109,37 +98,6 @@ def ground(data: Any) -> Any:
 
 def _problem(file: str, line: int, column: int, message: str, name: str = "", known: Iterable[str] = ()) -> Problem:
     return Problem(file, line, column, message + suggestion(name, known))
-
-
-@contextmanager
-def interruptible() -> Iterator[None]:
-    """Lets Ctrl-C end the program only between two questions, never while Prolog runs or calls back, where raising
-    can crash it; or at the end. Every question ends, because domain code is held to an inference limit."""
-    global _interrupted
-
-    def note(*_: object) -> None:
-        global _interrupted
-        _interrupted = True
-
-    previous = signal.signal(signal.SIGINT, note)
-    try:
-        yield
-        if _interrupted:
-            raise KeyboardInterrupt
-    finally:
-        signal.signal(signal.SIGINT, previous)
-        _interrupted = False
-
-
-@contextmanager
-def undisturbed() -> Iterator[None]:
-    """Holds an interrupt back until a piece of work, such as saving, is done; a later question raises it."""
-    global _undisturbed
-    _undisturbed += 1
-    try:
-        yield
-    finally:
-        _undisturbed -= 1
 
 
 def drop_with(owner: object, question: str, *args: Any) -> None:

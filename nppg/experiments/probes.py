@@ -10,7 +10,7 @@ import numpy as np
 
 from nppg.experiments import corridor
 from nppg.experiments.paper import Experiment
-from nppg.experiments.runs import Progress
+from nppg.experiments.progress import Progress
 from nppg.judging.space import Space
 from nppg.worlds.domain import Domain
 

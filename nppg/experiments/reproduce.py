@@ -19,12 +19,13 @@ from pathlib import Path
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.files import file_hash, locate, replacing
-from nppg.bridge.prolog import interruptible
+from nppg.bridge.interrupts import interruptible
 from nppg.errors import NppgError
 from nppg.experiments.learners import LEARNERS
 from nppg.experiments.paper import Experiment, Parameters, Variant
 from nppg.experiments.probes import PROBES
-from nppg.experiments.runs import Progress, run
+from nppg.experiments.progress import Progress
+from nppg.experiments.runs import run
 from nppg.learning.options import Common
 from nppg.worlds.domain import Domain
 

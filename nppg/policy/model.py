@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping, Sequence
+from importlib.metadata import version
 from pathlib import Path
 from typing import NamedTuple, Protocol
 
-from nppg import __version__
 from nppg.bias.language_bias import LanguageBias, Template, TreeLimits
 from nppg.bridge.files import replacing
 from nppg.bridge.prolog import ask, ground
@@ -70,7 +70,7 @@ def write_model(
     templates = {each.name for each in (*bias.actions, bias.goal) if each}
     described = [
         ("format", FORMAT),
-        ("nppg", __version__),
+        ("nppg", version("nppg")),
         ("prolog", ask("version")),
         ("domain", domain.path.name),
         ("domain_sha256", domain.hash),

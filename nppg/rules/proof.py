@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import asdict, dataclass
+from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
 
-from nppg import __version__
 from nppg.bridge.files import file_hash, replacing
 from nppg.errors import NppgError, Problem
 from nppg.judging.evaluation import ExactEvaluator
@@ -66,7 +66,7 @@ def prove(policy: Policy, model: Path, greedy: bool = True, space: Space | None 
     success, _ = judge.by_class(greedy)
     failing = np.flatnonzero(space.running & ~judge.certain(greedy))
     return Proof(
-        __version__,
+        version("nppg"),
         file_hash(model),
         policy.domain.hash,
         policy.domain.parameters,

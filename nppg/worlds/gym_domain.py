@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
-from nppg.bridge.prolog import heed_interrupt
+from nppg.bridge.interrupts import heed_interrupt
 from nppg.errors import NppgError, Problem
 from nppg.worlds.domain import Action, Domain, Outcome, Situation, State
 from nppg.worlds.gym_files import bias_text, domain_text

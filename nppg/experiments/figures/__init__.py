@@ -8,9 +8,9 @@ from __future__ import annotations
 import csv
 import platform
 from collections.abc import Sequence
+from importlib.metadata import version
 from pathlib import Path
 
-from nppg import __version__
 from nppg.bridge.files import replacing
 from nppg.errors import NppgError
 from nppg.experiments.figures import corridor, learners, lengths
@@ -43,7 +43,7 @@ def _head(name: str, finished: Sequence[Job], command: str, seconds: float) -> l
         "",
         f"`{command}`",
         "",
-        f"{summary['domain']['file']} ({parameters}); nppg {__version__}, Python {platform.python_version()}, "
+        f"{summary['domain']['file']} ({parameters}); nppg {version('nppg')}, Python {platform.python_version()}, "
         f"SWI-Prolog {summary['prolog']}, {platform.machine()}. {took}.",
         "",
         f"![{name}]({name}.png)",

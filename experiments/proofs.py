@@ -1,6 +1,6 @@
 """What a proof costs among more and more blocks: rules distilled with ten, each proof in a process of its own.
 
-python -m benchmarks.proofs --write docs/proofs.md
+python -m experiments.proofs --write docs/proofs.md
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def main() -> None:
         count = _distilled(rules)
         before: dict = {}
         for blocks in chosen.blocks:
-            command = [sys.executable, "-m", "benchmarks.proofs", "--rules", str(rules), "--blocks", str(blocks)]
+            command = [sys.executable, "-m", "experiments.proofs", "--rules", str(rules), "--blocks", str(blocks)]
             run = subprocess.run(command, check=True, capture_output=True, text=True)
             figures = json.loads(run.stdout)
             rows.append(_row(figures, before))
@@ -106,7 +106,7 @@ def _report(chosen: argparse.Namespace, rules: int, rows: list[str]) -> str:
             "proven among other numbers of blocks, as `nppg prove rules.pl --set blocks=N` does it. Seconds of one",
             "core and peak memory are those of the whole process. Growth is for each block more.",
             "",
-            f"`python -m benchmarks.proofs --blocks {blocks} --write {chosen.write}`",
+            f"`python -m experiments.proofs --blocks {blocks} --write {chosen.write}`",
             "",
             f"Python {platform.python_version()}, {platform.machine()}.",
             "",

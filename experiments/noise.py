@@ -1,6 +1,6 @@
 """What is lost by seeing badly: blocks before a camera that errs, at several noise levels.
 
-python -m benchmarks.noise --output docs/noise
+python -m experiments.noise --output docs/noise
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from statistics import mean, pstdev
 
 from nppg import Domain, LanguageBias, Options, Policy, evaluate, run
 from nppg.bridge.files import locate
-from nppg.experiments.runs import Progress
+from nppg.experiments.progress import Progress
 
 _NOISES = (0.0, 0.1, 0.3)
 _OPTIONS = {"step": "second-order", "min_examples": 500}
@@ -122,7 +122,7 @@ def _write_summary(
     lines = [
         "# What is lost by seeing badly",
         "",
-        f"`python -m benchmarks.noise --seeds {chosen.seeds} --episodes {chosen.episodes} --output {chosen.output}`",
+        f"`python -m experiments.noise --seeds {chosen.seeds} --episodes {chosen.episodes} --output {chosen.output}`",
         "",
         f"noisy_blocks.pl with {policy.domain.parameters['blocks']} blocks and "
         f"{policy.domain.parameters['slack']} step more than the shortest solution takes; {options}; seeds 0 to "

@@ -1,6 +1,6 @@
 """What the paper leaves open, compared: success after training under other tree limits and readings.
 
-python -m benchmarks.settings --seeds 10
+python -m experiments.settings --seeds 10
 """
 
 from __future__ import annotations

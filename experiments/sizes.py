@@ -1,6 +1,6 @@
 """Policies learned with few blocks, held against many: second-order training, then distilled.
 
-python -m benchmarks.sizes --write docs/sizes.md
+python -m experiments.sizes --write docs/sizes.md
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def _report(chosen: argparse.Namespace, rows: list[str]) -> str:
             f"the trees; then the greedy success of both on {chosen.starts} sampled starts, the same in all rows.",
             "The last two rows are the seconds of one core that those of ten blocks took.",
             "",
-            f"`python -m benchmarks.sizes --episodes {chosen.episodes} --starts {chosen.starts} "
+            f"`python -m experiments.sizes --episodes {chosen.episodes} --starts {chosen.starts} "
             f"--write {chosen.write}`",
             "",
             _row("learned with", "policy", *(f"{n} blocks" for n in TESTED)),

@@ -1,6 +1,6 @@
 """Second-order steps under other regularisations, weights and replays, compared by exact success.
 
-python -m benchmarks.second_order --first-seed 10 --seeds 6
+python -m experiments.second_order --first-seed 10 --seeds 6
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The value-function learners under other options, compared by exact success: the search behind their defaults.
 
-python -m benchmarks.baselines tg --first-seed 100 --seeds 5
+python -m experiments.baselines tg --first-seed 100 --seeds 5
 """
 
 from __future__ import annotations

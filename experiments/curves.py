@@ -1,6 +1,6 @@
 """The learning curves of several seeds: one CSV, one picture, one summary in Markdown.
 
-python -m benchmarks.curves blocks_world --seeds 10 --output docs/on_ab
+python -m experiments.curves blocks_world --seeds 10 --output docs/on_ab
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import numpy as np
 
 from nppg import Domain, LanguageBias, Options, run
 from nppg.bridge.files import locate
-from nppg.experiments.runs import Progress, title
+from nppg.experiments.progress import Progress, title
 
 _OPTIONS = ("step", "min_examples", "examples_growth", "regularisation_growth", "clip", "replay")
 _GRID = 50  # episodes between two points of a mean
@@ -116,7 +116,7 @@ def _first(runs: list[Progress]) -> str:
 
 
 def _command(chosen: argparse.Namespace) -> str:
-    words = [f"python -m benchmarks.curves {chosen.domain} --seeds {chosen.seeds} --episodes {chosen.episodes}"]
+    words = [f"python -m experiments.curves {chosen.domain} --seeds {chosen.seeds} --episodes {chosen.episodes}"]
     given = [(each, getattr(chosen, each)) for each in _OPTIONS]
     words += [f"--{each.replace('_', '-')} {value}" for each, value in given if value != getattr(Options(), each)]
     words += [f"--beside {chosen.beside}"] if chosen.beside else []

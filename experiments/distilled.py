@@ -1,6 +1,6 @@
 """Few rules from many runs: second-order training on on(A, B) with several seeds, each run distilled and counted.
 
-python -m benchmarks.distilled --write docs/distilled.md
+python -m experiments.distilled --write docs/distilled.md
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def _report(chosen: argparse.Namespace, rows: list[str], kept: int, starts: int)
             "the goal, which is decided without probabilities. The seconds of distilling include those of listing the",
             "classes of states.",
             "",
-            f"`python -m benchmarks.distilled {options}`",
+            f"`python -m experiments.distilled {options}`",
             "",
             "| seed | trees | success | greedy | rules | success of the rules, greedy | training, s | distilling, s |",
             "|---|---|---|---|---|---|---|---|",

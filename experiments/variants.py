@@ -1,6 +1,6 @@
 """The paper's variants, and what goes beyond them, on blocks world and corridor: a table in Markdown.
 
-python -m benchmarks.variants --output docs/variants.md
+python -m experiments.variants --output docs/variants.md
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ def _head(chosen: argparse.Namespace, seconds: float) -> list[str]:
     return [
         "# The paper's variants",
         "",
-        f"`python -m benchmarks.variants --seeds {chosen.seeds} --output {chosen.output}`",
+        f"`python -m experiments.variants --seeds {chosen.seeds} --output {chosen.output}`",
         "",
         f"Seeds 0 to {chosen.seeds - 1}; mean ± standard deviation over the seeds. Python {platform.python_version()}, "
         f"{platform.machine()}, {seconds / 60:.0f} minutes.",

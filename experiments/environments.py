@@ -1,6 +1,6 @@
 """Environments of Gymnasium, learned: returns, environment steps and seconds.
 
-python -m benchmarks.environments --output docs/environments.md
+python -m experiments.environments --output docs/environments.md
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ def _head(chosen: argparse.Namespace) -> list[str]:
     return [
         "# Environments of Gymnasium",
         "",
-        f"`python -m benchmarks.environments{only} --output {chosen.output}`",
+        f"`python -m experiments.environments{only} --output {chosen.output}`",
         "",
         f"Mean returns of {_EPISODES} episodes after learning, of the stochastic and of the greedy policy. Options: "
         f"{options}. Trees: {own}. gymnasium {gymnasium.__version__}, Python {platform.python_version()}, "

@@ -1,6 +1,6 @@
 """The rover with relations and numbers, with either alone: learning curves, in a CSV, a picture and a summary.
 
-python -m benchmarks.ablation --seeds 10 --output docs/hybrid
+python -m experiments.ablation --seeds 10 --output docs/hybrid
 
 A run that the CSV has already is not done again, so an interrupted command can be given once more; for other
 settings the CSV has to go first.
@@ -112,7 +112,7 @@ def _summary(points: list[Point], chosen: argparse.Namespace) -> str:
     success, value = _expert(chosen.starts)
     seeds = f"--seeds {chosen.seeds}" + (f" --first-seed {chosen.first_seed}" if chosen.first_seed else "")
     marks = f"--episodes {chosen.episodes} --every {chosen.every} --starts {chosen.starts}"
-    command = f"python -m benchmarks.ablation {seeds} {marks} --output {chosen.output}"
+    command = f"python -m experiments.ablation {seeds} {marks} --output {chosen.output}"
     rows = [
         f"| {BIASES[bias]} | [{bias}.yaml](../../language_bias/{bias}.yaml) | {_spread([p.success for p in own])} | "
         f"{min(p.success for p in own):.3f} | {_spread([p.mean_return for p in own])} | "

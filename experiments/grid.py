@@ -1,6 +1,6 @@
 """The grid world, learned with TILDE and with CART, against its exact optimum.
 
-python -m benchmarks.grid --output docs/grid.md
+python -m experiments.grid --output docs/grid.md
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ def main() -> None:
     lines = [
         "# The grid world",
         "",
-        f"`python -m benchmarks.grid --seeds {chosen.seeds} --output {chosen.output}`",
+        f"`python -m experiments.grid --seeds {chosen.seeds} --output {chosen.output}`",
         "",
         f"grid.pl as it is: {space.starts} start states, exact expected returns over all of them. {options}; seeds "
         f"{seeds[0]} to {seeds[-1]}; Python {platform.python_version()}, {platform.machine()}.",

@@ -1,0 +1,50 @@
+"""Ctrl-C, which is not to hit while Prolog runs: it is noted, and heeded between two questions."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+_interrupted = False
+_undisturbed = 0  # pieces of work that are not to be interrupted
+
+
+def heed_interrupt() -> None:
+    """Raises KeyboardInterrupt where Ctrl-C was pressed under `interruptible`, unless it is held back. `ask` does so;
+    what asks nothing for long calls it now and then."""
+    global _interrupted
+    if _interrupted and not _undisturbed:
+        _interrupted = False
+        raise KeyboardInterrupt
+
+
+@contextmanager
+def interruptible() -> Iterator[None]:
+    """Lets Ctrl-C end the program only between two questions, never while Prolog runs or calls back, where raising
+    can crash it; or at the end. Every question ends, because domain code is held to an inference limit."""
+    global _interrupted
+
+    def note(*_: object) -> None:
+        global _interrupted
+        _interrupted = True
+
+    previous = signal.signal(signal.SIGINT, note)
+    try:
+        yield
+        if _interrupted:
+            raise KeyboardInterrupt
+    finally:
+        signal.signal(signal.SIGINT, previous)
+        _interrupted = False
+
+
+@contextmanager
+def undisturbed() -> Iterator[None]:
+    """Holds an interrupt back until a piece of work, such as saving, is done; a later question raises it."""
+    global _undisturbed
+    _undisturbed += 1
+    try:
+        yield
+    finally:
+        _undisturbed -= 1

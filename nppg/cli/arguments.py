@@ -1,0 +1,81 @@
+"""What several verbs take, and what it stands for."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, NoReturn
+
+from nppg.errors import NppgError, suggestion
+
+
+class Parser(argparse.ArgumentParser):
+    """Tells a wrong argument on one line, like every other mistake: raises NppgError."""
+
+    def error(self, message: str) -> NoReturn:
+        raise NppgError(f"{self.prog}: {message}")
+
+    def parse_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> Any:  # type: ignore[override]
+        found, unknown = self.parse_known_args(args, namespace)
+        if unknown:
+            word = unknown[0].split("=")[0]
+            options = [each for each in self._option_string_actions if each.startswith("--")]
+            what = "option" if word.startswith("-") else "further argument"
+            self.error(f"there is no {what} {word}{suggestion(word, options)}")
+        return found
+
+
+def add_domain(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
+    """The domain, its parameters and its language bias."""
+    parser.add_argument("domain", help="a shipped domain's name, a file, or gym:ID for an environment of Gymnasium")
+    parser.add_argument("--bias", help="language bias (default: the file of the domain's name, or a generated one)")
+    add_parameters(parser)
+
+
+def add_parameters(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
+    """Of the domain, by --set."""
+    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a parameter of the domain")
+
+
+def add_model(parser: argparse.ArgumentParser) -> None:
+    """A model file."""
+    parser.add_argument("model", type=Path, help="a model file")
+
+
+def add_explain(parser: argparse.ArgumentParser) -> None:
+    """Sentences for rules."""
+    parser.add_argument("--explain", action="store_true", help="say in plain English what each rule does")
+
+
+def parameters(settings: Sequence[str]) -> dict[str, int | float | str]:
+    """What --set says, by name. Raises NppgError."""
+    found: dict[str, int | float | str] = {}
+    for setting in settings:
+        name, equals, text = setting.partition("=")
+        if not (name and equals and text):
+            raise NppgError(f"--set takes NAME=VALUE, not '{setting}'")
+        found[name] = _value(text)
+    return found
+
+
+def _value(text: str) -> int | float | str:
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return text
+
+
+@contextmanager
+def warnings_told(tell: bool = True) -> Iterator[None]:
+    """Prints each warning on a line of its own."""
+    with warnings.catch_warnings(record=True) as noted:
+        warnings.simplefilter("always")
+        yield
+    for each in noted if tell else ():
+        print(f"warning: {each.message}", file=sys.stderr)

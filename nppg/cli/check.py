@@ -1,0 +1,22 @@
+"""nppg check."""
+
+from __future__ import annotations
+
+import argparse
+
+from nppg.answers.check import check
+from nppg.cli import loading
+from nppg.cli.arguments import add_domain
+from nppg.errors import NppgError
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    add_domain(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    problems, summary = check(lambda: loading.domain(options), lambda domain: loading.bias(options, domain))
+    if problems:
+        raise NppgError(problems)
+    print(summary)
+    return 0

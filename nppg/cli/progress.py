@@ -1,0 +1,47 @@
+"""What a training run shows while it goes."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Callable
+
+from nppg.experiments.progress import Point, Progress, sizes
+from nppg.learning.options import Common
+
+
+def reporter(options: Common) -> Callable[[Progress], None]:
+    """A progress bar on a terminal with tqdm, plain lines elsewhere."""
+
+    bar = None
+    if sys.stderr.isatty():
+        try:
+            from tqdm import tqdm
+        except ImportError:
+            pass
+        else:
+            bar = tqdm(total=options.episodes, unit="episode", dynamic_ncols=True)
+
+    def show(progress: Progress) -> None:
+        point = progress.point
+        if bar is not None:
+            bar.update(progress.episodes - bar.n)
+            bar.set_postfix(progress.policy.sizes(), lately=f"{progress.recent:.2f}")
+            if progress.ended:
+                bar.close()
+        elif point is not None:
+            stochastic, greedy = progress.judged(point)
+            print(
+                f"episode {point.episode:5d}  {sizes(progress.policy)}  {progress.measure} {stochastic:.4f} "
+                f"(greedy {greedy:.4f})  {_returns(progress, point)}{point.seconds:.1f} s",
+                flush=True,
+            )
+
+    return show
+
+
+def _returns(progress: Progress, point: Point) -> str:
+    """What a point's line says of returns, where success is the measure and does not tell them."""
+    if progress.measure == "return" or point.mean_return is None or math.isclose(point.mean_return, point.success):
+        return ""
+    return f"return {point.mean_return:.2f} (greedy {point.greedy_return:.2f})  "

@@ -1,0 +1,74 @@
+"""nppg train."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from dataclasses import fields, replace
+from pathlib import Path
+
+from nppg.bias.language_bias import TreeLimits
+from nppg.cli import loading
+from nppg.cli.arguments import add_domain
+from nppg.cli.progress import reporter
+from nppg.cli.training_options import RENAMED, add_training_options, chosen_options
+from nppg.errors import NppgError
+from nppg.experiments import runs
+from nppg.experiments.learners import LEARNERS
+from nppg.learning.options import at_least
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.usage = "nppg train DOMAIN [--option VALUE ...]"
+    learned = parser.add_argument_group("what to learn")
+    add_domain(learned)
+    files = parser.add_argument_group("output")
+    files.add_argument("--output", type=Path, metavar="DIR", help="folder for the files (default: runs/DOMAIN)")
+    files.add_argument(
+        "--evaluate-every",
+        type=int,
+        default=50,
+        metavar="N",
+        help="episodes between two points of the curve; 0: none (default: 50)",
+    )
+    files.add_argument(
+        "--starts", type=int, default=200, metavar="N", help="starts of a sampled point of the curve (default: 200)"
+    )
+    files.add_argument(
+        "--until-success", type=float, metavar="P", help="stop at the first point of the curve with this success"
+    )
+    files.add_argument(
+        "--until-return",
+        type=float,
+        metavar="R",
+        help="stop at the first point with this mean return; points are then sampled, not exact",
+    )
+    files.add_argument("--quiet", action="store_true", help="print nothing")
+    add_training_options(parser, learned)
+
+
+def run(options: argparse.Namespace) -> int:
+    given = chosen_options(options)
+    kind = LEARNERS[options.learner]
+    chosen = kind(**{field.name: given.pop(field.name) for field in fields(kind) if field.name in given})
+    at_least("evaluate-every", options.evaluate_every, 0)
+    at_least("starts", options.starts, 1)
+    domain = loading.domain(options)
+    bias = loading.bias(options, domain)
+    assert bias
+    limits = {field.name: RENAMED.get(field.name, field.name) for field in fields(TreeLimits)}
+    bias = replace(bias, tree=replace(bias.tree, **{name: given[own] for name, own in limits.items() if own in given}))
+    output = options.output or Path("runs") / domain.name
+    report = (lambda progress: None) if options.quiet else reporter(chosen)
+    until = options.until_success
+    if until is not None and not (0 <= until <= 1 and options.evaluate_every):
+        raise NppgError("until-success must be from 0 to 1, and needs points of the curve (evaluate-every)")
+    least = options.until_return
+    if least is not None and not (math.isfinite(least) and options.evaluate_every):
+        raise NppgError("until-return must be a finite number, and needs points of the curve (evaluate-every)")
+    progress = runs.run(
+        domain, bias, chosen, output, options.evaluate_every, options.starts, report, until, until_return=least
+    )
+    if not options.quiet:
+        print(f"written to {output}/: {', '.join(progress.written)}")
+    return 0

@@ -1,0 +1,123 @@
+"""The files of a run: model.pl, run.json, curve.csv and, with matplotlib, curve.png; and copies of its inputs."""
+
+from __future__ import annotations
+
+import csv
+import json
+import platform
+from dataclasses import asdict, fields
+from importlib.metadata import version
+from pathlib import Path
+
+import numpy as np
+
+from nppg.bias.language_bias import LanguageBias
+from nppg.bridge.files import replacing
+from nppg.bridge.interrupts import undisturbed
+from nppg.bridge.prolog import ask
+from nppg.errors import NppgError, Problem
+from nppg.experiments.progress import Point, Progress, sizes, title
+from nppg.policy.copies import conflicts, recorded_hashes, write_copies
+from nppg.policy.model import write_model
+from nppg.worlds.domain import Domain
+
+_FILES = ("model.pl", "run.json", "curve.csv", "curve.png")
+
+
+def in_the_way(domain: Domain, bias: LanguageBias, output: Path) -> list[Problem]:
+    """What stands in the way of the files, in the folder `output`."""
+    return list(conflicts(output, _copies(domain, bias), _FILES).values())
+
+
+def _copies(domain: Domain, bias: LanguageBias) -> dict[str, bytes]:
+    """The contents of the input files, by name; a bias made in Python has none."""
+    copies = {domain.path.name: domain.source}
+    return copies | {Path(bias.file).name: bias.source} if bias.source else copies
+
+
+@undisturbed()
+def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[str]:
+    """Writes all files of a run, each under a temporary name first, and removes the curve of an earlier one. Returns
+    their names. Raises NppgError at the end where a file has come into the way of a copy since the run began."""
+    policy, options = progress.policy, progress.options
+    domain = policy.domain
+    rerun = bool(recorded_hashes(output))
+    copies = _copies(domain, bias)
+    problems = conflicts(output, copies, _FILES)
+    copies = {name: source for name, source in copies.items() if name not in problems}
+    until = any(progress.judging.get(name) is not None for name in ("until_success", "until_return"))
+    facts = [
+        *([("bias", Path(bias.file).name), ("bias_sha256", bias.hash)] if bias.source else []),
+        *(("option", ("=", name, value)) for name, value in asdict(options).items()),
+        *(("tree", ("=", name, value)) for name, value in asdict(bias.tree).items()),
+        *(("curve", ("=", name, value)) for name, value in progress.judging.items() if until and value is not None),
+        ("trained_episodes", progress.episodes),
+    ]
+    write_copies(output, copies)
+    write_model(policy, output / "model.pl", facts)
+    summary = {
+        "nppg": version("nppg"),
+        "prolog": ask("version"),
+        "python": platform.python_version(),
+        "numpy": np.__version__,
+        "domain": {"file": domain.path.name, "sha256": domain.hash, "parameters": domain.parameters},
+        "bias": {"file": Path(bias.file).name, "sha256": bias.hash} if bias.source else None,
+        "learner": options.learner,
+        "options": asdict(options),
+        "tree": asdict(bias.tree),
+        "curve": dict(progress.judging),
+        "episodes": progress.episodes,
+        **policy.sizes(),
+        "seconds": round(progress.seconds, 3),
+        "last": asdict(progress.curve[-1]) if progress.curve else None,
+    }
+    replacing(output / "run.json", lambda path: path.write_text(json.dumps(summary, indent=2) + "\n"))
+    written = [*copies, "model.pl", "run.json"]
+    if progress.curve:
+        replacing(output / "curve.csv", lambda path: _write_curve(path, progress.curve))
+        written += ["curve.csv", "curve.png"] if _draw(progress, output / "curve.png") else ["curve.csv"]
+    for name in set(_FILES) - set(written) if rerun else ():
+        (output / name).unlink(missing_ok=True)
+    if problems:
+        raise NppgError(problems.values())
+    return sorted(written)
+
+
+def _write_curve(path: Path, curve: list[Point]) -> None:
+    with path.open("w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow([each.name for each in fields(Point)])
+        writer.writerows([getattr(point, each.name) for each in fields(Point)] for point in curve)
+
+
+def _draw(progress: Progress, path: Path) -> bool:
+    """Whether matplotlib is there to draw the curve."""
+    try:
+        import matplotlib
+    except ImportError:
+        return False
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(figsize=(9, 4), layout="constrained")
+    episodes = [point.episode for point in progress.curve]
+    exact = "exact" if progress.curve[-1].exact else "sampled"
+    stochastic, greedy = zip(*map(progress.judged, progress.curve), strict=True)
+    axes.plot(episodes, stochastic, label=f"stochastic policy, {exact}")
+    axes.plot(episodes, greedy, label=f"greedy policy, {exact}", alpha=0.6)
+    played = [point for point in progress.curve if point.episode]
+    lately = [point.episode for point in played], [point.recent for point in played]
+    axes.plot(*lately, ":", label="recent training episodes", color="grey")
+    axes.set(xlabel="episodes", ylabel=progress.measure, title=_title(progress))
+    if progress.measure == "success":
+        axes.set(ylim=(-0.02, 1.02))
+    axes.grid(alpha=0.3)
+    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
+    replacing(path, lambda temporary: figure.savefig(temporary, format="png", dpi=120))
+    pyplot.close(figure)
+    return True
+
+
+def _title(progress: Progress) -> str:
+    options = progress.options
+    return f"{title(progress.policy.domain)}, {options.learner}, seed {options.seed}: {sizes(progress.policy)}"
