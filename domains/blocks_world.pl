@@ -136,7 +136,7 @@ factorial(N, F) :- N1 is N - 1, factorial(N1, F1), F is N * F1.
 towers(Weighted, Towers) :-
     aggregate_all(sum(Weight), member(_-Weight, Weighted), Sum),
     random(U),
-    Threshold is U * Sum,
+    Threshold is rational(U) * Sum,         % exact: a float cannot hold the number of states of many blocks
     heavier(Weighted, Threshold, Towers).
 
 heavier([Towers-Weight|Rest], Threshold, Chosen) :-

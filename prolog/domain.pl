@@ -12,7 +12,9 @@
             outcomes/3,          % +Module, +Action, -Outcomes   det
             reward/3,            % +Module, +Action, -Reward     det
             objects/3,           % +Module, +Predicate, -Objects  det
-            binding/4            % +Module, +Name, +Arity, -Values  det
+            binding/4,           % +Module, +Name, +Arity, -Values  det
+            proper/1,            % +Term                         semidet
+            defect/2             % +Term, -Text                  det
           ]).
 
 :- use_module(library(apply), [foldl/4]).

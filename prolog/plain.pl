@@ -10,17 +10,26 @@ user:term_expansion((:- uniform_start), []).
 user:term_expansion((:- interchangeable(_)), []).
 user:term_expansion((:- environment(_)), []).
 
-% state(Facts) makes a state current; best_action(Action) is an action of the highest potential there.
+% state(Facts) makes a state current; potential(Action, Potential) is about its legal actions, best_action(Action) about
+% one of the highest potential.
 state(Facts) :-
     domain(Module),
+    forall(member(Fact, Facts), must_be_fact(Module, Fact)),
     forall(( Module:fluents(Specs), fluent_head(Specs, Head) ), retractall(Module:Head)),
     forall(member(Fact, Facts), assertz(Module:Fact)).
+must_be_fact(Module, Fact) :-
+    (   ground(Fact), Module:fluents(Specs), fluent_head(Specs, Head), Fact = Head
+    ->  true
+    ;   throw(error(domain_error(fact_of_a_fluent, Fact), _))
+    ).
 fluent_head((Specs, More), Head) :- !, ( fluent_head(Specs, Head) ; fluent_head(More, Head) ).
 fluent_head(Specs, Head) :- is_list(Specs), !, member(Spec, Specs), fluent_head(Spec, Head).
 fluent_head(Name/Arity, Head) :- functor(Head, Name, Arity).
 potential(Action, Potential) :-
+    domain(Module),
     model(trees, Last),
+    setof(Legal, Module:action(Legal), Actions),
+    member(Action, Actions),
     aggregate_all(sum(Value), ( between(1, Last, Tree), once(delta(Tree, Action, Value)) ), Potential).
 best_action(Action) :-
-    domain(Module),
-    aggregate_all(max(Potential, Legal), ( Module:action(Legal), potential(Legal, Potential) ), max(_, Action)).
+    aggregate_all(max(Potential, Legal), potential(Legal, Potential), max(_, Action)).

@@ -14,9 +14,10 @@ import numpy as np
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, Refiner
 from nppg.bridge import home as prolog_home
+from nppg.bridge.terms import Ground
 from nppg.logic.query import OPEN, Query, Var
 from nppg.trees.tree import Leaf, Node, Rule, Tree
-from nppg.worlds.domain import Action, Domain, Ground, State
+from nppg.worlds.domain import Action, Domain, State
 
 Values = dict[Var, Ground | None]
 Relations = dict[str, set[tuple[Ground, ...]]]

@@ -11,10 +11,11 @@ import numpy as np
 import pytest
 from samples import visited
 
+from nppg.bridge.terms import Ground
 from nppg.errors import NppgError
 from nppg.judging.canonical import Canonizer
 from nppg.judging.space import Space
-from nppg.worlds.domain import Domain, Ground
+from nppg.worlds.domain import Domain
 
 
 def renamed(facts, names: dict) -> frozenset:

@@ -278,3 +278,34 @@ def test_what_the_rover_s_ways_cost() -> None:
     assert lost[0] == -1.02 and values(lost[1], "at") == [] and values(lost[1], "battery") == [(0.0,)]
     heavier = tuple(("weight", "rock1", 3.1) if fact[:2] == ("weight", "rock1") else fact for fact in there)
     assert ("pick", "rock1") not in rover.situation(heavier).actions
+
+
+def test_states_and_actions_are_written_and_read_as_prolog() -> None:
+    domain = Domain("blocks_world", {"blocks": 3})
+    state = domain.state("on(b1,b2), on(b2,floor), goal_on(b2,b1).")
+    assert state == (("goal_on", "b2", "b1"), ("on", "b1", "b2"), ("on", "b2", "floor"))
+    assert str(state) == "goal_on(b2, b1), on(b1, b2), on(b2, floor)"
+    assert [*map(str, domain.situation(state).actions)] == ["move(b1, floor)"]
+    drawn = domain.start(np.random.default_rng(1))
+    assert domain.state(str(drawn)) == drawn
+    following = domain.act(drawn, domain.situation(drawn).actions[0], np.random.default_rng(1))[1]
+    assert domain.state(str(following)) == following
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("onn(b1, b2)", r"^onn\(b1, ?b2\) is no fact of a declared fluent \(did you mean 'on/2'\?\)$"),
+        ("on(b1, X)", r"^on\(b1, ?_\) is no fact \(it has an unbound variable\)$"),
+        ("on(b1", r"^a state is a list of facts, like .*on\(b1'$"),
+        ("3", r"^3 is no fact of a declared fluent$"),
+        ('on(b1, "x")', r"^on\(b1, ?\"x\"\) is no fact \(only names"),
+    ],
+)
+def test_a_text_that_is_no_state_is_refused(text: str, message: str) -> None:
+    with pytest.raises(NppgError, match=message):
+        Domain("blocks_world").state(text)
+
+
+def test_two_hundred_blocks_start() -> None:
+    assert len(Domain("blocks_world", {"blocks": 200}).start(np.random.default_rng(1))) == 201

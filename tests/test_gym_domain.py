@@ -13,9 +13,10 @@ from samples import in_plain_prolog, term
 from nppg import NppgError, Options, Policy, evaluate, generate_episode, language_bias_of, open_domain, run
 from nppg.answers.coverage import table_of
 from nppg.bridge.interrupts import interruptible
+from nppg.bridge.terms import Ground
 from nppg.cli.main import main
 from nppg.learning.episode import Episode
-from nppg.worlds.domain import Ground, State
+from nppg.worlds.domain import State
 from nppg.worlds.gym_domain import GymDomain
 
 gymnasium = pytest.importorskip("gymnasium")

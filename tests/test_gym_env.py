@@ -21,10 +21,9 @@ from nppg import Domain, NppgError
 from nppg.answers.coverage import root_table
 from nppg.bias.refinement import Refiner
 from nppg.bridge.files import shipped
-from nppg.bridge.prolog import ground
+from nppg.bridge.terms import ground, texts
 from nppg.gym_env import Choice, DomainEnv, Facts, register
 from nppg.gym_env.bounded import BoundedEnv, most_actions
-from nppg.worlds.domain import texts
 from nppg.worlds.opening import language_bias_of, open_domain
 
 FERRY = str(Path(__file__).parent / "domains" / "ferry.pl")

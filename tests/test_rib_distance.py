@@ -18,12 +18,13 @@ from hypothesis import strategies as st
 from samples import pairs, visited
 
 from nppg import Domain, LanguageBias, NppgError
+from nppg.bridge.terms import Ground
 from nppg.judging.canonical import Canonizer
 from nppg.judging.space import Space
 from nppg.rrl import distance, matching
 from nppg.rrl.distance import PairDistance
 from nppg.rrl.matching import PartSets, edit_distances, grown
-from nppg.worlds.domain import Action, Ground, State
+from nppg.worlds.domain import Action, State
 
 PARTS = st.lists(st.integers(1, 3), max_size=4).map(tuple)
 SETS = st.lists(PARTS, max_size=4)

@@ -13,10 +13,11 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from nppg.answers.facts import FactTable, suffices
-from nppg.answers.table import WORD, Table, TestTable, encoded, measure, unpacked
+from nppg.answers.table import WORD, Table, TestTable, measure, unpacked
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, Refiner
 from nppg.bridge.prolog import ask
+from nppg.bridge.terms import encoded
 from nppg.logic.query import Literal, Query
 from nppg.worlds.domain import Action, Domain, State
 

@@ -14,9 +14,10 @@ import numpy as np
 from nppg.answers.table import Table
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, is_open
+from nppg.bridge.terms import Ground
 from nppg.errors import NppgError, Problem
 from nppg.logic.query import OPEN, Literal, Query, Term, Var
-from nppg.worlds.domain import Action, Domain, Ground, State
+from nppg.worlds.domain import Action, Domain, State
 
 _MEMORY = 1000  # lists of actions whose answers are remembered
 _KIND = -1  # a root variable of its own

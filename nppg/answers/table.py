@@ -16,7 +16,8 @@ import numpy as np
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, is_open
 from nppg.bridge.prolog import ask, drop_with
-from nppg.logic.query import OPEN, Literal, Query, Var, opened, variables
+from nppg.bridge.terms import encoded
+from nppg.logic.query import OPEN, Literal, Query, opened, variables
 from nppg.worlds.domain import Action, Domain, State
 
 WORD = 60  # tests in one integer: it stays a small one in Prolog
@@ -179,11 +180,6 @@ class TestTable(Table):
             result[members] = self._groups[kind].rows(words[start:end], len(members))
             start = end
         return result
-
-
-def encoded(query: Query) -> list:
-    """A query as the data that prolog/terms.pl reads."""
-    return [[name, *(arg.index if isinstance(arg, Var) else [arg] for arg in args)] for name, args in query]
 
 
 def measure(test: Query) -> list:

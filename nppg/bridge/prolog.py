@@ -68,34 +68,6 @@ def ask(question: str, *args: Any) -> Any:
     return value
 
 
-def ground(data: Any) -> Any:
-    """A ground term as it crosses, compounds as lists, as Python keeps it, compounds as tuples. A Prolog list is as
-    deep as it is long, so nothing recurs here."""
-    if not isinstance(data, list):
-        return data
-    flat = tuple([tuple(each) if isinstance(each, list) else each for each in data])
-    try:
-        hash(flat)  # fails where a list is left further down, which is rare
-        return flat
-    except TypeError:
-        pass
-    whole: list = []
-    open_terms = [(data, whole)]
-    while True:
-        term, done = open_terms[-1]
-        if len(done) < len(term):
-            arg = term[len(done)]
-            if isinstance(arg, list):
-                open_terms.append((arg, []))
-            else:
-                done.append(arg)
-        elif len(open_terms) == 1:
-            return tuple(done)
-        else:
-            open_terms.pop()
-            open_terms[-1][1].append(tuple(done))
-
-
 def _problem(file: str, line: int, column: int, message: str, name: str = "", known: Iterable[str] = ()) -> Problem:
     return Problem(file, line, column, message + suggestion(name, known))
 

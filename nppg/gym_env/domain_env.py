@@ -9,10 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from nppg.bridge.terms import texts
 from nppg.errors import NppgError, Problem
 from nppg.learning.episode import IDLE
 from nppg.learning.options import Options
-from nppg.worlds.domain import Action, State, texts
+from nppg.worlds.domain import Action, State
 from nppg.worlds.opening import open_domain
 
 try:

@@ -13,7 +13,7 @@ from collections import Counter
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from nppg.worlds.domain import Ground
+from nppg.bridge.terms import Ground
 
 Form = tuple[int, ...]
 Encoded = tuple[int, tuple[Ground, ...]]  # the number of a fact's shape, which is the fact without its objects; those

@@ -13,9 +13,10 @@ from itertools import chain
 
 import numpy as np
 
+from nppg.bridge.terms import Ground
 from nppg.errors import NppgError
 from nppg.judging.canonical import Canonizer, Form
-from nppg.worlds.domain import Action, Domain, Ground, Outcome, State
+from nppg.worlds.domain import Action, Domain, Outcome, State
 
 _DRAWN = 200  # starts that are held against the space
 _CHANCE = 1e-9  # what is less likely than this does not happen to uniformly drawn starts

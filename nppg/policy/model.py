@@ -14,7 +14,8 @@ from typing import NamedTuple, Protocol
 
 from nppg.bias.language_bias import LanguageBias, Template, TreeLimits
 from nppg.bridge.files import replacing
-from nppg.bridge.prolog import ask, ground
+from nppg.bridge.prolog import ask
+from nppg.bridge.terms import ground
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.logic.subsumption import deciding_tests
 from nppg.policy.copies import conflicts, write_copies

@@ -13,6 +13,7 @@ from nppg.answers.coverage import table_of
 from nppg.answers.table import Table, TestTable
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.prolog import ask, drop_with
+from nppg.bridge.terms import Ground
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.logic.query import Var
 from nppg.policy import model
@@ -20,7 +21,7 @@ from nppg.policy.forest import Forest
 from nppg.policy.gibbs import gibbs
 from nppg.trees.clauses import to_clause
 from nppg.trees.tree import Tree, leaves, mapped, rules, tests
-from nppg.worlds.domain import Action, Domain, Ground, State
+from nppg.worlds.domain import Action, Domain, State
 
 
 class Policy:

@@ -19,9 +19,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
+from nppg.bridge.terms import Ground
 from nppg.errors import NppgError
 from nppg.rrl.matching import PartSets, grown
-from nppg.worlds.domain import Action, Domain, Ground, State
+from nppg.worlds.domain import Action, Domain, State
 
 _REMEMBERED = (2**14, 2**14)  # sets of parts of `pairs` and of `others` whose distances are remembered: 256 MB at most
 _FAR = 255  # so far and farther is not remembered

@@ -1,25 +1,34 @@
 """A domain as Python sees it: states, legal actions, what they lead to.
 
-A state is a tuple of ground facts in Prolog's standard order; a fact or an action is a name, or a tuple of a
-name and its arguments: `on(a, b)` is `("on", "a", "b")`. docs/domains.md is the reference of domain files.
+A fact or an action is a name, or a tuple of a name and its arguments: `on(a, b)` is `("on", "a", "b")`.
+docs/domains.md is the reference of domain files.
 """
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple, Protocol
 
 import numpy as np
 
 from nppg.bridge.files import locate
-from nppg.bridge.prolog import ask, drop_with, ground, randomness
+from nppg.bridge.prolog import ask, drop_with, randomness
+from nppg.bridge.terms import Ground, compounds, ground, texts
 from nppg.errors import NppgError, Problem
 
-Ground = str | int | float | tuple
-State = tuple[Ground, ...]
+State = tuple[Ground, ...]  # facts in Prolog's standard order
 Action = Ground
+
+
+class Interpretation(State):
+    """The facts that hold in a state; `str` writes them as Domain.state reads them."""
+
+    __slots__ = ()
+
+    def __str__(self) -> str:
+        return ", ".join(texts(self))
 
 
 class Situation(NamedTuple):
@@ -34,11 +43,6 @@ class Outcome(NamedTuple):
 
     probability: float
     state: State
-
-
-def texts(terms: Sequence[Ground]) -> list[str]:
-    """Facts or actions as Prolog writes and reads them: `on(a, 'B c')`."""
-    return ask("texts", list(terms))
 
 
 class World(Protocol):
@@ -101,6 +105,12 @@ class Domain:
         """SHA-256 of the file as it was loaded, in hexadecimal."""
         return hashlib.sha256(self.source).hexdigest()
 
+    def state(self, text: str) -> State:
+        """The state of these facts, written as Prolog has them: "on(b1, b2), on(b2, floor)". Raises NppgError for what
+        is no text of ground facts of declared fluents."""
+        fluents = [f"{name}/{arity}" for name, arity in self.fluents]
+        return Interpretation(ground(ask("state_of", self.module, text.strip().removesuffix("."), fluents)))
+
     def visit(self, state: State) -> None:
         """Makes a state the current interpretation in Prolog."""
         if state is not self._current:
@@ -116,14 +126,15 @@ class Domain:
         """Draws a start state."""
         self.forget()
         with randomness(rng):
-            self._current = ground(ask("draw", self.module))
-        return self._current
+            state = Interpretation(ground(ask("draw", self.module)))
+        self._current = state
+        return state
 
     def situation(self, state: State) -> Situation:
         """Whether the state ends an episode, and its legal actions in a fixed order."""
         self.visit(state)
         status, actions = self._situation or ask("situation", self.module)
-        return Situation(status, list(ground(actions)))
+        return Situation(status, compounds(actions))
 
     def horizon(self, state: State) -> int:
         """The number of steps after which an episode that starts here ends."""
@@ -137,12 +148,12 @@ class Domain:
             return state
         self.visit(state)
         with randomness(rng):
-            return ground(ask("observed", self.module))
+            return Interpretation(ground(ask("observed", self.module)))
 
     def expert_actions(self, state: State) -> list[Action]:
         """What the domain's expert would do, none if it has no advice."""
         self.visit(state)
-        return [ground(action) for action in ask("expert_actions", self.module)]
+        return compounds(ask("expert_actions", self.module))
 
     def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]:
         """Takes an action: the reward, and the state that it leads to.
@@ -152,8 +163,8 @@ class Domain:
         self.forget()
         with randomness(rng):
             reward, facts, self._situation = ask("act", self.module, action)
-        self._current = ground(facts)
-        return reward, self._current
+        self._current = following = Interpretation(ground(facts))
+        return reward, following
 
     def reward(self, state: State, action: Action) -> float:
         """The reward for an action that has just led to the state."""
@@ -167,11 +178,12 @@ class Domain:
         own = ground(facts)
 
         def successor(facts: list) -> State:
-            return tuple([own[fact] if isinstance(fact, int) else ground(fact) for fact in facts])
+            return Interpretation([own[fact] if isinstance(fact, int) else ground(fact) for fact in facts])
 
+        actions = compounds([action for action, _ in found])
         return [
-            (ground(action), [Outcome(probability, successor(facts)) for probability, facts in outcomes])
-            for action, outcomes in found
+            (action, [Outcome(probability, successor(facts)) for probability, facts in outcomes])
+            for action, (_, outcomes) in zip(actions, found, strict=True)
         ]
 
     def picture(self, state: State) -> list[str]:

@@ -19,7 +19,7 @@ import numpy as np
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.interrupts import heed_interrupt
 from nppg.errors import NppgError, Problem
-from nppg.worlds.domain import Action, Domain, Outcome, Situation, State
+from nppg.worlds.domain import Action, Domain, Interpretation, Outcome, Situation, State
 from nppg.worlds.gym_files import bias_text, domain_text
 from nppg.worlds.gym_make import Made, make, told
 
@@ -199,7 +199,7 @@ def _box_reader(id: str, count: int) -> Callable[[Any], State]:
             raise NppgError(f"gym:{id}: an observation is no array of {count} numbers: {told(error)}") from None
         if not math.isfinite(sum(values)):
             raise NppgError(f"gym:{id}: an observation has numbers that are not finite: {values}")
-        return tuple(zip(names, indices, values, strict=True))
+        return Interpretation(zip(names, indices, values, strict=True))
 
     return read
 
@@ -212,6 +212,6 @@ def _number_reader(env: Env) -> Callable[[Any], State]:
     @cache
     def state(number: int) -> State:
         parts = decode(number) if decode else (number,)
-        return tuple(("obs", i, int(part)) for i, part in enumerate(parts, 1))
+        return Interpretation(("obs", i, int(part)) for i, part in enumerate(parts, 1))
 
     return lambda observation: state(int(observation))

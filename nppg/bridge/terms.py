@@ -1,0 +1,63 @@
+"""Terms as data, to Prolog and from there; see prolog/terms.pl."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from nppg.bridge.prolog import ask
+from nppg.logic.query import Query, Var
+
+Ground = str | int | float | tuple  # a name, a number, or a tuple of a name and its arguments
+
+
+class Compound(tuple):
+    """A ground compound term, a tuple of its name and its arguments; `str` writes it as Prolog does: on(a, 'B c')."""
+
+    __slots__ = ()
+
+    def __str__(self) -> str:
+        return texts([self])[0]
+
+
+def texts(terms: Sequence[Ground]) -> list[str]:
+    """Facts or actions as Prolog writes and reads them: `on(a, 'B c')`."""
+    return ask("texts", list(terms))
+
+
+def compounds(data: list) -> list[Ground]:
+    """Ground terms as they cross, the compound ones as Compound."""
+    return [Compound(each) if isinstance(each, tuple) else each for each in ground(data)]
+
+
+def ground(data: Any) -> Any:
+    """A ground term as it crosses, compounds as lists, as Python keeps it, compounds as tuples. A Prolog list is as
+    deep as it is long, so nothing recurs here."""
+    if not isinstance(data, list):
+        return data
+    flat = tuple([tuple(each) if isinstance(each, list) else each for each in data])
+    try:
+        hash(flat)  # fails where a list is left further down, which is rare
+        return flat
+    except TypeError:
+        pass
+    whole: list = []
+    open_terms = [(data, whole)]
+    while True:
+        term, done = open_terms[-1]
+        if len(done) < len(term):
+            arg = term[len(done)]
+            if isinstance(arg, list):
+                open_terms.append((arg, []))
+            else:
+                done.append(arg)
+        elif len(open_terms) == 1:
+            return tuple(done)
+        else:
+            open_terms.pop()
+            open_terms[-1][1].append(tuple(done))
+
+
+def encoded(query: Query) -> list:
+    """A query as the data that prolog/terms.pl reads."""
+    return [[name, *(arg.index if isinstance(arg, Var) else [arg] for arg in args)] for name, args in query]
