@@ -10,7 +10,8 @@ import sys
 from functools import lru_cache
 
 from nppg.answers.table import encoded
-from nppg.bias.language_bias import LanguageBias, Template
+from nppg.bias.declarations import Template
+from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND
 from nppg.logic.query import OPEN, Literal, Term, Var, solve_equalities, substitute, tightened
 from nppg.trees.tree import Rule
