@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from nppg import Options, Policy, evaluate, language_bias_of, open_domain, train
-from nppg.bias.language_bias import TreeLimits
+from nppg.bias.declarations import TreeLimits
 
 _OPTIONS = {
     "regressor": "cart",

@@ -10,7 +10,7 @@ from dataclasses import replace
 from statistics import mean
 
 from nppg import Domain, LanguageBias, Options, train
-from nppg.bias.language_bias import Mode, TreeLimits
+from nppg.bias.declarations import Mode, TreeLimits
 from nppg.bridge.files import locate
 from nppg.judging.evaluation import ExactEvaluator
 

@@ -10,7 +10,8 @@ from samples import pairs, visited
 
 from nppg import Options, train
 from nppg.answers.coverage import Coverage, root_table
-from nppg.bias.language_bias import LanguageBias, TreeLimits
+from nppg.bias.declarations import TreeLimits
+from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refiner
 from nppg.errors import NppgError
 from nppg.policy.policy import Policy

@@ -12,7 +12,7 @@ import pytest
 from samples import in_plain_prolog, pairs, random_query, random_tree, term, value_of_list, visited
 
 from nppg.answers.coverage import Coverage
-from nppg.bias.language_bias import TreeLimits
+from nppg.bias.declarations import TreeLimits
 from nppg.errors import NppgError
 from nppg.logic.query import Literal, Var
 from nppg.policy.policy import Policy

@@ -9,7 +9,7 @@ import pytest
 
 from nppg import Domain, train
 from nppg.answers.coverage import Coverage
-from nppg.bias.language_bias import TreeLimits
+from nppg.bias.declarations import TreeLimits
 from nppg.cli.main import main
 from nppg.errors import NppgError
 from nppg.policy.policy import Policy

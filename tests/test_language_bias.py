@@ -13,18 +13,10 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nppg.bias.language_bias import (
-    EQUALITY,
-    KEYS,
-    MODE_KEYS,
-    REQUIRED,
-    Argument,
-    LanguageBias,
-    Mode,
-    Template,
-    TreeLimits,
-    _Reader,
-)
+from nppg.bias.declarations import EQUALITY, Argument, Mode, Template, TreeLimits
+from nppg.bias.language_bias import LanguageBias
+from nppg.bias.modes import MODE_KEYS
+from nppg.bias.reader import KEYS, REQUIRED
 from nppg.errors import NppgError, Problem
 from nppg.logic.query import OPEN
 
@@ -44,7 +36,7 @@ types:
 
 
 def read(text: str) -> LanguageBias:
-    return _Reader("b.yaml", text).bias()
+    return LanguageBias.parse(text, "b.yaml")
 
 
 def problems(text: str) -> list[str]:

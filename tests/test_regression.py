@@ -10,7 +10,8 @@ import pytest
 from samples import pairs, visited
 
 from nppg.answers.coverage import Coverage
-from nppg.bias.language_bias import LanguageBias, Template
+from nppg.bias.declarations import Template
+from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND
 from nppg.learning.options import Options
 from nppg.learning.regressors import REGRESSORS, Examples, PerAction, Regressor, kinds_of_actions, regressor

@@ -17,7 +17,7 @@ from samples import pairs, truth, visited
 
 import nppg.learning.training
 from nppg.answers.coverage import Coverage
-from nppg.bias.language_bias import TreeLimits
+from nppg.bias.declarations import TreeLimits
 from nppg.judging.evaluation import evaluate_exactly
 from nppg.learning.critic import critic
 from nppg.learning.episode import Episode, Step, generate_episode

@@ -9,7 +9,7 @@ import pytest
 from samples import pairs, visited
 
 from nppg.answers.coverage import Coverage
-from nppg.bias.language_bias import TreeLimits
+from nppg.bias.declarations import TreeLimits
 from nppg.policy.policy import Policy
 from nppg.rrl.options import TGOptions
 from nppg.rrl.qfunction import Example, QFunction

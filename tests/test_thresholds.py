@@ -17,7 +17,8 @@ from samples import in_plain_prolog, random_query, random_tree, truth, value_of_
 from nppg.answers.coverage import Coverage, root_table
 from nppg.answers.facts import FactTable
 from nppg.answers.table import TestTable
-from nppg.bias.language_bias import LanguageBias, TreeLimits
+from nppg.bias.declarations import TreeLimits
+from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refiner
 from nppg.errors import NppgError
 from nppg.judging.evaluation import evaluate_exactly

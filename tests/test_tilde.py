@@ -10,7 +10,8 @@ import pytest
 from samples import pairs, truth, value_of_tree, visited
 
 from nppg.answers.coverage import Coverage
-from nppg.bias.language_bias import LanguageBias, TreeLimits
+from nppg.bias.declarations import TreeLimits
+from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refiner
 from nppg.logic.query import Literal, Query, Var
 from nppg.trees.tilde import Example, best_split, f_test, fit, grow

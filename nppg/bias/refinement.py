@@ -12,7 +12,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import product
 
-from nppg.bias.language_bias import Argument, LanguageBias, Mode
+from nppg.bias.declarations import Argument, Mode
+from nppg.bias.language_bias import LanguageBias
 from nppg.logic.query import OPEN, Literal, Query, Term, Var, components, solve_equalities, substitute, tightened
 from nppg.logic.subsumption import normal_form, subsumes
 

@@ -7,7 +7,7 @@ import math
 from dataclasses import fields, replace
 from pathlib import Path
 
-from nppg.bias.language_bias import TreeLimits
+from nppg.bias.declarations import TreeLimits
 from nppg.cli import loading
 from nppg.cli.arguments import add_domain
 from nppg.cli.progress import reporter

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import Field, fields
 from typing import Any
 
-from nppg.bias.language_bias import TreeLimits
+from nppg.bias.declarations import TreeLimits
 from nppg.errors import NppgError
 from nppg.experiments.learners import LEARNERS
 from nppg.learning.options import Options, kind_of

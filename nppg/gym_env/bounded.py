@@ -16,10 +16,10 @@ import numpy as np
 from nppg.answers.coverage import root_table
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refiner
+from nppg.bias.text import literal_text
 from nppg.bridge.files import locate
 from nppg.errors import NppgError, Problem
 from nppg.gym_env.domain_env import DomainEnv, spaces
-from nppg.rules.dot import literal_text
 from nppg.worlds.domain import Action, Domain, State
 from nppg.worlds.opening import language_bias_of
 

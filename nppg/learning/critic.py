@@ -8,7 +8,8 @@ from typing import Protocol
 
 import numpy as np
 
-from nppg.bias.language_bias import LanguageBias, Template
+from nppg.bias.declarations import Template
+from nppg.bias.language_bias import LanguageBias
 from nppg.learning.episode import Episode
 from nppg.learning.gradient import advantages, returns
 from nppg.learning.options import Options

@@ -12,7 +12,8 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import NamedTuple, Protocol
 
-from nppg.bias.language_bias import LanguageBias, Template, TreeLimits
+from nppg.bias.declarations import Template, TreeLimits
+from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.files import replacing
 from nppg.bridge.prolog import ask
 from nppg.bridge.terms import ground

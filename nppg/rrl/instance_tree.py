@@ -14,7 +14,7 @@ import numpy as np
 
 from nppg.answers.coverage import Coverage
 from nppg.answers.table import Table
-from nppg.bias.language_bias import TreeLimits
+from nppg.bias.declarations import TreeLimits
 from nppg.bias.refinement import Refiner
 from nppg.errors import NppgError, Problem
 from nppg.policy.policy import Policy

@@ -15,7 +15,8 @@ import numpy as np
 
 from nppg.answers.coverage import Coverage, root_table
 from nppg.answers.table import Table
-from nppg.bias.language_bias import LanguageBias, TreeLimits
+from nppg.bias.declarations import TreeLimits
+from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refiner
 from nppg.judging.evaluation import ExactEvaluator, evaluate, merit
 from nppg.learning.episode import generate_episode

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import count
 
-from nppg.bias.language_bias import LanguageBias, written
-from nppg.bias.refinement import KIND, is_open
-from nppg.logic.query import OPEN, Literal, Var
+from nppg.bias.language_bias import LanguageBias
+from nppg.bias.text import literal_text
+from nppg.logic.query import Literal, Var
 from nppg.trees.tree import Leaf, Tree
 
 
@@ -39,17 +39,3 @@ def _templates(bias: LanguageBias) -> list[Literal]:
         Literal(template.name, tuple(Var(offset + i) for i in range(len(template.types))))
         for template, offset in zip(templates, bias.offsets, strict=False)
     ]
-
-
-def literal_text(literal: Literal, bias: LanguageBias) -> str:
-    """A literal with its variables named by letters, root variables first: A, B, ...; # is a threshold yet open."""
-    args = [_letter(arg.index) if isinstance(arg, Var) else written(arg) for arg in literal.args]
-    if literal.name == KIND:
-        return f"action is {bias.actions[int(args[0])].name}"
-    if literal.name == "=" or literal.name in OPEN:
-        return f"{args[0]} {literal.name} {'#' if is_open(literal) else args[1]}"
-    return f"{written(literal.name)}({', '.join(args)})" if args else written(literal.name)
-
-
-def _letter(index: int) -> str:
-    return chr(ord("A") + index % 26) + (str(index // 26) if index >= 26 else "")

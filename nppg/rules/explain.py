@@ -10,7 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from nppg.bias.language_bias import PLACEHOLDER, LanguageBias
+from nppg.bias.language_bias import LanguageBias
+from nppg.bias.sentences import PLACEHOLDER
 from nppg.bridge.prolog import ask
 from nppg.policy.policy import Policy
 

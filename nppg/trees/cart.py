@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from nppg.answers.table import Table
-from nppg.bias.language_bias import LanguageBias, TreeLimits
+from nppg.bias.declarations import TreeLimits
+from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, closed, is_open
 from nppg.errors import NppgError
 from nppg.logic.query import Literal, Query, Var, substitute, variables

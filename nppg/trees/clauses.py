@@ -9,7 +9,8 @@ from __future__ import annotations
 import sys
 from functools import lru_cache
 
-from nppg.bias.language_bias import LanguageBias, Template
+from nppg.bias.declarations import Template
+from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND
 from nppg.bridge.terms import encoded
 from nppg.logic.query import OPEN, Literal, Term, Var, solve_equalities, substitute, tightened

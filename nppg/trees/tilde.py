@@ -14,7 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from nppg.answers.coverage import Coverage, Known, root_table
-from nppg.bias.language_bias import LanguageBias, TreeLimits
+from nppg.bias.declarations import TreeLimits
+from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refiner
 from nppg.logic.query import Query
 from nppg.trees.tree import Leaf, Node, Tree, mapped

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from nppg.bias.language_bias import written
+from nppg.bias.names import written
 
 _DOMAIN = """\
 :- module({name}, []).

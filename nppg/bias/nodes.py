@@ -1,0 +1,141 @@
+"""A YAML document as nodes with their places, and what is reported about them.
+
+It is read with `yaml.compose`, never with `safe_load`: a node keeps its text, so that `on` stays a name and does not
+become True, and its line and column, so that every mistake can be located.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+import yaml
+
+from nppg.bias.literals import Mistake, Parsed, parsed
+from nppg.bias.names import is_name
+from nppg.errors import NppgError, Problem, suggestion
+
+
+class Document:
+    """The text of one file, with the problems that were found in it, so that all are reported at once."""
+
+    def __init__(self, file: str, source: str):
+        self.file = file
+        self.source = source
+        self.problems: set[Problem] = set()
+
+    def compose(self) -> yaml.Node:
+        """The root node; what is no YAML is one located problem, since the parser cannot go on behind it."""
+        line = column = 0
+        try:
+            node = yaml.compose(self.source, Loader=yaml.SafeLoader)
+            if node is not None:
+                return node
+            message = "the file is empty"
+        except yaml.reader.ReaderError as error:
+            before = self.source[: error.position]
+            line, column = before.count("\n") + 1, error.position - before.rfind("\n")
+            message = f"the character {chr(error.character)!r} has no place in YAML"
+        except yaml.MarkedYAMLError as error:
+            if mark := error.problem_mark or error.context_mark:
+                line, column = mark.line + 1, mark.column + 1
+            message = "not YAML: " + " ".join(str(part) for part in (error.context, error.problem) if part)
+            if "'\\t'" in message:
+                message = "a tab: YAML is indented by spaces"
+            elif "single document" in message:
+                message = "a second YAML document begins here; a language bias is one"
+        except (RecursionError, ValueError, OverflowError) as error:
+            message = "nested too deeply" if isinstance(error, RecursionError) else f"not YAML: {error}"
+        raise NppgError([Problem(self.file, line, column, " ".join(message.split()))])
+
+    def place(self, node: yaml.Node, offset: int = 0) -> tuple[int, int]:
+        """Line and column, from 1, of a node or of an offset in a scalar's text where that stands on one line."""
+        start = node.start_mark
+        if isinstance(node, yaml.ScalarNode):
+            raw = self.source[start.index : node.end_mark.index]
+            shift = raw.rfind(node.value)
+            if shift >= 0 and "\n" not in raw:
+                return start.line + 1, start.column + 1 + shift + offset
+        return start.line + 1, start.column + 1
+
+    def report(self, node: yaml.Node, message: str, offset: int = 0) -> None:
+        self.problems.add(Problem(self.file, *self.place(node, offset), message))
+
+    def mapping(self, node: yaml.Node, what: str, known: Collection[str] = ()) -> dict[str, yaml.Node]:
+        """The entries of a mapping; its keys are checked against `known`, if given."""
+        if not isinstance(node, yaml.MappingNode):
+            self.report(node, f"{what} is a mapping (key: value), not {described(node)}")
+            return {}
+        entries: dict[str, yaml.Node] = {}
+        first: dict[str, int] = {}
+        for key_node, value in node.value:
+            key = self.text(key_node, "a key")
+            if key is None:
+                continue
+            if key in first:
+                self.report(key_node, f"the key {key!r} is given twice (first on line {first[key]})")
+            elif known and key not in known:
+                hint = suggestion(key, known) or f"; known are {', '.join(known)}"
+                self.report(key_node, f"unknown key {key!r}{hint}")
+            else:
+                first[key], entries[key] = self.place(key_node)[0], value
+        return entries
+
+    def items(self, node: yaml.Node, what: str) -> list[yaml.Node] | None:
+        if isinstance(node, yaml.SequenceNode):
+            return list(node.value)
+        self.report(node, f"{what}, not {described(node)}")
+        return None
+
+    def text(self, node: yaml.Node, what: str) -> str | None:
+        if not isinstance(node, yaml.ScalarNode) or not node.value.strip():
+            self.report(node, f"{what} is wanted, not {described(node)}")
+            return None
+        value = str(node.value)
+        for offset, char in enumerate(value):
+            if not char.isprintable() and char != "\n":
+                self.report(node, f"the character {char!r} has no place here", offset)
+                return None
+        return value
+
+    def literal(self, node: yaml.Node, what: str) -> Parsed | None:
+        text = self.text(node, what)
+        if text is None:
+            return None
+        try:
+            return parsed(text)
+        except Mistake as mistake:
+            self.report(node, str(mistake), mistake.offset)
+            return None
+
+    def type_name(self, node: yaml.Node) -> str | None:
+        text = self.text(node, "a type")
+        if text is not None and not is_name(text):
+            self.report(node, f"a type is a lower-case name, not {text!r}")
+            return None
+        return text
+
+    def whole(self, node: yaml.Node | None, key: str, default: int, otherwise: int = 0) -> int:
+        """A whole number; `otherwise` stands for a wrong one, so that it causes no further reports."""
+        if node is None:
+            return default
+        value = number(node.value) if isinstance(node, yaml.ScalarNode) else None
+        if isinstance(value, int) and value >= 0:
+            return value
+        self.report(node, f"{key} is a whole number of at least 0, not {described(node)}")
+        return otherwise
+
+
+def described(node: yaml.Node) -> str:
+    """What a node is, in a user's words."""
+    if isinstance(node, yaml.ScalarNode):
+        return repr(node.value) if node.value else "nothing"
+    return "a list" if isinstance(node, yaml.SequenceNode) else "a mapping"
+
+
+def number(text: str) -> int | float | None:
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return None
