@@ -22,8 +22,8 @@ from nppg.answers.coverage import root_table
 from nppg.bias.refinement import Refiner
 from nppg.bridge.files import shipped
 from nppg.bridge.prolog import ground
-from nppg.gym_env.bounded import BoundedEnv, most_actions
 from nppg.gym_env import Choice, DomainEnv, Facts, register
+from nppg.gym_env.bounded import BoundedEnv, most_actions
 from nppg.worlds.domain import texts
 from nppg.worlds.opening import language_bias_of, open_domain
 
