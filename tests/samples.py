@@ -14,6 +14,7 @@ import numpy as np
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, Refiner
 from nppg.bridge import home as prolog_home
+from nppg.bridge.files import locate
 from nppg.bridge.terms import Ground
 from nppg.logic.query import OPEN, Query, Var
 from nppg.trees.tree import Leaf, Node, Rule, Tree
@@ -76,6 +77,22 @@ def random_tree(refiner: Refiner, depth: int, rng: Random, query: Query = ()) ->
         random_tree(refiner, depth - 1, rng, query + chosen.literals),
         random_tree(refiner, depth - 1, rng, query),
     )
+
+
+def some_blocks(folder: Path, blocks: int, least: int, most: int) -> Domain:
+    """The blocks world in which each start has others of so many blocks, from `least` to `most` of them."""
+    shipped = locate("blocks_world", "domains", ".pl").read_text()
+    name = "some_blocks"
+    text = shipped.replace("module(blocks_world,", f"module({name},", 1).replace(
+        "    parameter(blocks, N),\n    N >= 2,\n",
+        f"    random_between({least}, {most}, N),\n    parameter(blocks, All), numlist(1, All, Names),\n"
+        "    random_permutation(Names, Shuffled), length(Few, N), append(Few, _, Shuffled), !,\n",
+    )
+    text = text.replace("member(I, Numbers), atom_concat", "member(I, Few), atom_concat")
+    assert text.count("Few") == 3
+    path = folder / f"{name}.pl"
+    path.write_text(text)
+    return Domain(path, {"blocks": blocks})
 
 
 def relations(state: State) -> Relations:

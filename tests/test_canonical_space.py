@@ -9,7 +9,7 @@ from random import Random
 
 import numpy as np
 import pytest
-from samples import visited
+from samples import some_blocks, visited
 
 from nppg.bridge.terms import Ground
 from nppg.errors import NppgError
@@ -99,6 +99,17 @@ def test_numbers_of_states(blocks: int) -> None:
     assert space.starts == sum(space.sizes) - total(space, "goal") == total(space, "running")
     if blocks == 6:
         check_horizon_and_expert(space, longest=6)
+
+
+def test_objects_that_are_not_there_in_every_state_are_interchangeable_too(tmp_path) -> None:
+    """Three of five blocks, two of which the goal names: three choices of the third, in the same classes."""
+    some, three = Space(some_blocks(tmp_path, 5, 3, 3)), Space(Domain("blocks_world", {"blocks": 3}))
+    assert sum(some.sizes) == 3 * sum(three.sizes) and some.starts == 3 * three.starts
+    assert sorted(zip(some.sizes, some.status, some.horizons, strict=True)) == sorted(
+        (3 * size, status, horizon)
+        for size, status, horizon in zip(three.sizes, three.status, three.horizons, strict=True)
+    )
+    assert len(some.objects) == 5
 
 
 def check_horizon_and_expert(space: Space, longest: int) -> None:

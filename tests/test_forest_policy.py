@@ -12,8 +12,8 @@ import nppg.policy.forest
 from nppg.answers.coverage import root_table
 from nppg.bias.refinement import Refiner
 from nppg.errors import NppgError
-from nppg.policy.gibbs import gibbs
-from nppg.policy.policy import Policy, choose
+from nppg.policy.gibbs import best, best_of_groups, gibbs
+from nppg.policy.policy import Policy, choose, choose_best
 from nppg.trees.tree import Leaf, Node, rules
 from nppg.worlds.domain import Domain
 
@@ -110,12 +110,30 @@ def test_actions_are_drawn_by_their_probability(four_blocks: Domain, plain_bias)
 def test_choose() -> None:
     rng = np.random.default_rng(0)
     assert {choose(np.array([0.0, 1.0, 0.0]), rng) for _ in range(50)} == {1}
-    assert {choose(np.array([0.3, 0.4, 0.3]), rng, greedy=True) for _ in range(50)} == {1}
-    ties = np.array([0.3, 0.3 * (1 - 1e-12), 0.1, 0.3])
-    picked = [choose(ties, rng, greedy=True) for _ in range(600)]
-    assert {0, 1, 3} == set(picked) and min(picked.count(i) for i in (0, 1, 3)) > 150
     short = np.array([0.2, 0.2, 0.2])  # rounding may leave the sum below 1
     assert set(choose(short, rng) for _ in range(200)) == {0, 1, 2}
+
+
+@pytest.mark.parametrize("unit", [1.0, 2.0**-40, 2.0**40, -1.0, -(2.0**-40), -(2.0**40)])
+@pytest.mark.parametrize("shift", [0.0, 1.0, -3.0])
+def test_the_best_are_the_best_in_any_unit_and_of_any_sign(unit: float, shift: float) -> None:
+    potentials = unit * (np.array([0.3, 0.3 * (1 - 1e-12), 0.1, 0.3, 0.5, 0.5 * (1 - 1e-12)]) + shift)
+    expected = {4, 5} if unit > 0 else {2}
+    assert set(np.flatnonzero(best(potentials))) == expected
+    assert best_of_groups(np.tile(potentials, 3), np.array([0, 6, 12])).tolist() == 3 * best(potentials).tolist()
+    rng = np.random.default_rng(0)
+    picked = [choose_best(potentials, rng) for _ in range(400)]
+    assert set(picked) == expected and min(picked.count(i) for i in expected) > 150
+
+
+def test_what_is_best_of_a_group_hangs_on_that_group_alone() -> None:
+    rng = np.random.default_rng(1)
+    for _ in range(100):
+        sizes = rng.integers(1, 5, 6)
+        groups = [rng.integers(-2, 3, size) * 10.0 ** rng.integers(-12, 12) for size in sizes]
+        starts = np.cumsum([0, *sizes[:-1]])
+        alone = np.concatenate([each == each.max() for each in groups])
+        assert best_of_groups(np.concatenate(groups), starts).tolist() == alone.tolist()
 
 
 def test_no_legal_action_is_a_mistake(four_blocks: Domain, plain_bias) -> None:

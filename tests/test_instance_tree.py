@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from samples import some_blocks, visited
 
 from nppg import Domain, train
 from nppg.answers.coverage import Coverage
@@ -14,7 +15,7 @@ from nppg.cli.main import main
 from nppg.errors import NppgError
 from nppg.policy.policy import Policy
 from nppg.rrl.instance_tree import InstanceTree
-from nppg.rrl.options import RIBOptions, TrendiOptions
+from nppg.rrl.options import InstanceOptions, RIBOptions, TrendiOptions
 from nppg.rrl.qfunction import Example, QFunction
 from nppg.trees.tilde import best_split
 from nppg.trees.tree import leaves
@@ -92,6 +93,34 @@ def test_saved_and_loaded_predict_equally(learned: QFunction, tmp_path: Path) ->
         )
     loaded.save(tmp_path / "again.pl")
     assert (tmp_path / "again.pl").read_text() == (tmp_path / "model.pl").read_text()
+
+
+SOME = {"episodes": 150, "guidance": 0.3, "seed": 1}
+
+
+@pytest.mark.parametrize(
+    "options",
+    [RIBOptions(**SOME), RIBOptions(power=3.0, **SOME), TrendiOptions(min_sample=50, min_instances=8, **SOME)],
+)
+def test_where_the_objects_vary_from_start_to_start(options: InstanceOptions, tmp_path: Path, plain_bias) -> None:
+    """Neither a model file nor another run of the same domain object changes what is predicted."""
+    domain = some_blocks(tmp_path, 7, 2, 5)
+    *_, last = train(domain, plain_bias, options)
+    last.policy.save(tmp_path / "model.pl")
+    loaded = Policy.load(tmp_path / "model.pl")
+    *_, again = train(domain, plain_bias, options)
+    assert again.policy.sizes() == last.policy.sizes()
+    states = visited(domain, 100, seed=9)
+    for state in states:
+        actions = domain.situation(state).actions
+        expected = last.policy.potentials(state, actions)
+        np.testing.assert_allclose(loaded.potentials(state, actions), expected, rtol=1e-12, atol=1e-14)
+        assert again.policy.potentials(state, actions).tolist() == expected.tolist()
+    other = Domain(domain.path, domain.parameters)
+    *_, fresh = train(other, plain_bias, options)
+    assert [fresh.policy.potentials(s, other.situation(s).actions).tolist() for s in states] == [
+        last.policy.potentials(s, domain.situation(s).actions).tolist() for s in states
+    ]
 
 
 @pytest.mark.parametrize(

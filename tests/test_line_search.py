@@ -88,6 +88,16 @@ def test_where_nothing_can_be_told_the_step_is_the_fixed_one(four_blocks: Domain
     assert step_size(tree, visits, policy, replace(options, step_size=0.0)) == 0.0
 
 
+def test_estimates_that_cancel_are_equal_but_for_rounding(four_blocks: Domain, plain_bias) -> None:
+    """A tree of one leaf changes no probability, whatever the values are; in what cancels to 0 all is rounding."""
+    policy, visits, _ = setting(four_blocks, plain_bias, 0)
+    half = visits[: len(visits) // 2 * 2]
+    for unit in (1.0, 2.0**-40, 2.0**40):
+        zero = [visit._replace(value=(-1) ** i * unit, guided=False) for i, visit in enumerate(half)]
+        for value in (0.1, 0.3, 0.7, 1.1):
+            assert step_size(Leaf(value), zero, policy, Options(step_size=0.7, line_search=3)) == 0.7
+
+
 weights = st.lists(st.tuples(st.floats(0.01, 50), st.floats(-5, 5)), min_size=1, max_size=9)
 
 

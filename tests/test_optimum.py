@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import re
 from pathlib import Path
 
@@ -97,6 +98,13 @@ def test_in_the_blocks_world_the_optimal_moves_are_those_that_lead_to_fewer(four
     success = evaluate_exactly(untrained).success
     assert evaluator.of(uniform(space)).mean == pytest.approx(success)
     assert evaluator.agreement(uniform(space)) > success
+
+
+@pytest.mark.parametrize("unit", [2.0**-40, 2.0**40])
+def test_what_is_optimal_does_not_hang_on_the_unit_of_the_rewards(grid: ReturnEvaluator, unit: float) -> None:
+    other = copy.copy(grid)
+    other._rewards, other._optimal = unit * grid._rewards, None
+    assert other.agreement(uniform(grid.space)) == grid.agreement(uniform(grid.space))
 
 
 def test_a_reward_that_draws_has_no_expectation(tmp_path: Path, four_blocks: Domain) -> None:

@@ -14,9 +14,11 @@ from nppg import Domain, evaluate, evaluate_exactly, train
 from nppg.cli.main import main
 from nppg.errors import NppgError
 from nppg.experiments.learners import LEARNERS
+from nppg.judging.evaluation import ExactEvaluator
 from nppg.policy.policy import Policy
 from nppg.rrl.options import QOptions, TGOptions
 from nppg.rrl.qfunction import QFunction
+from nppg.rrl.regressors import regressor
 from nppg.rrl.training import examples
 
 VALUE_LEARNERS = [name for name in LEARNERS if name != "nppg"]
@@ -59,7 +61,42 @@ def test_boltzmann_exploration_cools_down(learned: QFunction) -> None:
 
 def test_epsilon_greedy_exploration(learned: QFunction) -> None:
     policy = QFunction(learned.regressor, QOptions(exploration="epsilon-greedy", epsilon=0.2))
-    assert policy.probabilities_of(np.array([0.5, 0.9, 0.1, 0.9])) == pytest.approx([0.05, 0.45, 0.05, 0.45])
+    q = np.array([0.5, 0.9, 0.1, 0.9])
+    for unit in (1.0, 2.0**-40, 2.0**40):
+        assert policy.probabilities_of(unit * q) == pytest.approx([0.05, 0.45, 0.05, 0.45])
+        assert policy.probabilities_of(unit * (q - 2)) == pytest.approx([0.05, 0.45, 0.05, 0.45])
+    assert policy.probabilities_of(-q) == pytest.approx([0.05, 0.05, 0.85, 0.05])
+
+
+@pytest.mark.parametrize(
+    "options", [{"temperature": 1e12}, {"exploration": "epsilon-greedy", "epsilon": 1.0}, {"temperature": 1e-9}]
+)
+@pytest.mark.parametrize("unit", [1.0, -1.0, 2.0**-40, 2.0**40])
+def test_what_is_greedy_hangs_on_q_and_not_on_the_exploration(options: dict, unit: float) -> None:
+    """Nor on the unit of the rewards; and evaluation, sampled and exact, goes by the same best actions."""
+    from nppg.bias.language_bias import LanguageBias
+    from nppg.bridge.files import locate
+
+    domain = Domain("blocks_world", {"blocks": 3})
+    bias = LanguageBias.load(locate("blocks_world", "language_bias", ".yaml"))
+    policy = QFunction(regressor(domain, bias, TGOptions()), TGOptions(**options))
+    rng = np.random.default_rng(0)
+    of_pair: dict = {}
+
+    def q(answers: np.ndarray) -> np.ndarray:
+        keys = [row.tobytes() for row in answers]
+        return np.array([of_pair.setdefault(key, unit * float(rng.integers(1, 4))) for key in keys])
+
+    policy.regressor.predict = q  # type: ignore[method-assign]
+    for _ in range(20):
+        state = domain.start(rng)
+        actions = domain.situation(state).actions
+        values = policy.potentials(state, actions)
+        found = {policy.act(state, rng) for _ in range(60)}
+        assert found == {action for action, value in zip(actions, values, strict=True) if value == values.max()}
+    exact = evaluate_exactly(policy).success
+    assert evaluate(policy, 400).success == pytest.approx(exact, abs=4.5 * 0.5 / 20)
+    assert any(each == 0 for each in ExactEvaluator(policy).probabilities(True))
 
 
 def test_value_functions_play_greedily(learned: QFunction, tmp_path: Path, capsys: pytest.CaptureFixture) -> None:

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from samples import pairs, visited
+from samples import pairs, some_blocks, visited
 
 from nppg import Domain, LanguageBias, NppgError
 from nppg.bridge.terms import Ground
@@ -238,6 +238,20 @@ def test_no_goal_and_kinds_and_compounds(tmp_path: Path, bias_of: Callable[[str]
     assert measure.rows([use_a], [use_b]) == 2 + 1  # both cells, and the robot's list, which is one term
     other = tuple((name, "b", *rest) if rest and name == "c" else (name, *rest) for name, *rest in state)
     assert measure.describe(other, ["stop"]) == [stop]
+
+
+def test_what_is_interchangeable_hangs_on_the_state_alone(tmp_path: Path, plain_bias: LanguageBias) -> None:
+    """Where each start has other objects: the definition holds, in whichever order the states are met."""
+    domain = some_blocks(tmp_path, 7, 2, 5)
+    states, actions = pairs(domain, visited(domain, 20))
+    assert len({sum(fact[0] == "on" for fact in state) for state in states}) > 2
+    found = []
+    for order in (1, -1):
+        measure = PairDistance(domain, plain_bias)
+        numbers = described(measure, states[::order], actions[::order])[::order]
+        found.append(measure.rows(numbers, numbers).tolist())
+    both = list(zip(states, actions, strict=True))
+    assert found == 2 * [[[plain(plain_bias, left, right) for right in both] for left in both]]
 
 
 def test_memory(measured: tuple, monkeypatch: pytest.MonkeyPatch) -> None:

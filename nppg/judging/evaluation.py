@@ -12,8 +12,8 @@ from nppg.errors import NppgError
 from nppg.judging.space import Space
 from nppg.learning.episode import generate_episode
 from nppg.learning.options import at_least
-from nppg.policy.gibbs import gibbs_of_groups
-from nppg.policy.policy import Policy, is_best
+from nppg.policy.gibbs import best_of_groups, gibbs_of_groups
+from nppg.policy.policy import Policy
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,12 +98,10 @@ class ExactEvaluator:
     def probabilities(self, greedy: bool = False) -> np.ndarray:
         """pi(s, a) of each pair of the space; the greedy policy chooses evenly among the best actions."""
         potentials = self.potentials()
-        probabilities = gibbs_of_groups(potentials, self._first)
         if not self._is_greedy(greedy):
-            return probabilities
-        sizes = np.diff(self._first, append=len(probabilities))
-        highest = np.repeat(np.maximum.reduceat(probabilities, self._first), sizes)
-        best = is_best(probabilities, highest).astype(float)
+            return gibbs_of_groups(potentials, self._first)
+        sizes = np.diff(self._first, append=len(potentials))
+        best = best_of_groups(potentials, self._first).astype(float)
         return best / np.repeat(np.add.reduceat(best, self._first), sizes)
 
     def _is_greedy(self, wanted: bool) -> bool:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nppg.judging.space import Space
+from nppg.policy.gibbs import best_of_groups
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,10 +55,10 @@ class ReturnEvaluator:
         return self._returns(lambda pairs: np.add.reduceat(pairs * probabilities, self._first))
 
     def agreement(self, probabilities: np.ndarray, tolerance: float = 1e-9) -> float:
-        """The probability that the first action from a random start state is optimal."""
-        optimal, owner = self.optimal(), self.space.owner
-        is_best = optimal.pairs >= optimal.values[owner] - tolerance
-        return float(self._shares @ np.bincount(owner, probabilities * is_best, len(self._shares)))
+        """The probability that the first action from a random start state is optimal: but for `tolerance` times the
+        largest return of its state."""
+        is_best = best_of_groups(self.optimal().pairs, self._first, tolerance)
+        return float(self._shares @ np.bincount(self.space.owner, probabilities * is_best, len(self._shares)))
 
     def _returns(self, backup: Callable[[np.ndarray], np.ndarray]) -> Returns:
         space, owner = self.space, self.space.owner

@@ -52,7 +52,7 @@ class Space:
         for state in drawn:
             if (status := domain.situation(state).status) != "running":
                 raise self._broken(f"start/1 draws {status} states, for instance {state}")
-        self._groups = self._alike(drawn[0])
+        self._groups = self._alike(drawn)
         self.objects = frozenset(each for group in self._groups for each in group)
         self._told = [(str(i), each) for i, group in enumerate(self._groups) for each in group]
         rigid = {_name(fact) for fact in drawn[0]}
@@ -67,13 +67,12 @@ class Space:
         """What to raise where start/1 does not keep a promise."""
         return NppgError(f"{self.domain.path}: {what}; correct the declarations, or evaluate on sampled starts")
 
-    def _alike(self, state: State) -> list[list[Ground]]:
-        """The interchangeable objects: those of one list are members of the same predicates."""
+    def _alike(self, drawn: Iterable[State]) -> list[list[Ground]]:
+        """The interchangeable objects, which need not all be there in each state: those of one list are members of the
+        same predicates."""
         kinds: dict[Ground, str] = {}
-        self.domain.visit(state)
-        for name in self.domain.interchangeable:
-            for each in self.domain.members(name):
-                kinds[each] = f"{kinds.get(each, '')} {name}"
+        for state in drawn:
+            kinds = self.domain.kinds(state) | kinds
         return [[each for each in kinds if kinds[each] == kind] for kind in sorted(set(kinds.values()))]
 
     def _form(self, canonizer: Canonizer, state: Iterable[Ground]) -> tuple[Form, int]:

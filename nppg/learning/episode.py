@@ -10,7 +10,7 @@ import numpy as np
 
 from nppg.errors import NppgError, Problem
 from nppg.learning.options import Common
-from nppg.policy.policy import Policy, choose
+from nppg.policy.policy import Policy, choose, choose_best
 from nppg.worlds.domain import Action, State, World
 
 IDLE = 1000  # episodes in a row without a step, after which there is nothing to wait for
@@ -74,7 +74,7 @@ def generate_episode(
         if advice:
             chosen = actions.index(advice[int(rng.random() * len(advice))])
         else:
-            chosen = choose(probabilities, rng, greedy)
+            chosen = choose_best(potentials, rng) if greedy else choose(probabilities, rng)
         reward, following = domain.act(state, actions[chosen], rng)
         steps.append(Step(seen, actions, answers, potentials, probabilities, chosen, reward, state))
         state = following

@@ -13,7 +13,7 @@ from nppg.policy.gibbs import gibbs_of_groups
 from nppg.policy.policy import Policy
 from nppg.trees.tree import Tree, tests
 
-_TIE = 1e-12  # estimates this near to the best one, relatively, count as equal
+_TIE = 1e-12  # estimates this near to the best one, relatively to what they sum up, count as equal
 
 
 def step_size(tree: Tree, visits: Sequence[Visit], policy: Policy, options: Options) -> float:
@@ -39,7 +39,7 @@ def step_size(tree: Tree, visits: Sequence[Visit], policy: Policy, options: Opti
     ratios = [gibbs_of_groups(potentials + eta * climb, starts)[chosen] / old for eta in tried]
     estimates = np.array([estimate(each, values, options.ratio_clip) for each in ratios])
     best = estimates.max()
-    return tried[int(np.argmax(estimates >= best - _TIE * abs(best)))]
+    return tried[int(np.argmax(estimates >= best - _TIE * float(np.abs(values).mean())))]
 
 
 def estimate(ratios: np.ndarray, values: np.ndarray, clip: float) -> float:

@@ -18,7 +18,7 @@ from nppg.errors import NppgError, Problem, suggestion
 from nppg.logic.query import Var
 from nppg.policy import model
 from nppg.policy.forest import Forest
-from nppg.policy.gibbs import gibbs
+from nppg.policy.gibbs import best, gibbs
 from nppg.trees.clauses import to_clause
 from nppg.trees.tree import Tree, leaves, mapped, rules, tests
 from nppg.worlds.domain import Action, Domain, State
@@ -87,13 +87,16 @@ class Policy:
         return self.probabilities_of(self.potentials(state, actions))
 
     def act(self, state: State, rng: np.random.Generator, greedy: bool = False) -> Action:
-        """Draws a legal action from the distribution, or one of the most probable ones. Raises NppgError where
-        there is none."""
+        """Draws a legal action from the distribution, or one of those with the highest potential. Raises NppgError
+        where there is none."""
         status, actions = self.domain.situation(state)
         if not actions:
             raise NppgError(f"there is no action to choose: the state is a {status} state")
         seen = self.domain.observe(state, rng)
-        return actions[choose(self.distribution(seen, actions), rng, greedy or self.greedy)]
+        potentials = self.potentials(seen, actions)
+        if greedy or self.greedy:
+            return actions[choose_best(potentials, rng)]
+        return actions[choose(self.probabilities_of(potentials), rng)]
 
     def named(self) -> set[Ground]:
         """The constants that its tests name."""
@@ -148,15 +151,13 @@ def _reader(learner: str, path: Path) -> Callable[[Policy, Path], Policy]:
     raise NppgError([Problem(str(path), 1, 0, f"there is no learner {learner}{suggestion(learner, names)}")])
 
 
-def choose(probabilities: np.ndarray, rng: np.random.Generator, greedy: bool = False) -> int:
-    """Draws an index by its probability; greedy: one of the most probable, each as likely as the others."""
-    if greedy:
-        best = np.flatnonzero(is_best(probabilities, probabilities.max()))
-        return int(best[int(rng.random() * len(best))])
+def choose(probabilities: np.ndarray, rng: np.random.Generator) -> int:
+    """Draws an index by its probability."""
     drawn = int(probabilities.cumsum().searchsorted(rng.random(), side="right"))
     return min(drawn, len(probabilities) - 1)
 
 
-def is_best(probabilities: np.ndarray, highest: np.ndarray | float) -> np.ndarray:
-    """Which probabilities are the highest, but for rounding."""
-    return probabilities >= highest * (1 - 1e-9)
+def choose_best(potentials: np.ndarray, rng: np.random.Generator) -> int:
+    """Draws the index of one of the highest potentials, each as likely as the others."""
+    highest = np.flatnonzero(best(potentials))
+    return int(highest[int(rng.random() * len(highest))])

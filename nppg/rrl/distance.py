@@ -31,8 +31,8 @@ _FAR = 255  # so far and farther is not remembered
 class PairDistance:
     """Numbers classes of state-action pairs that look alike, and gives the distances between them.
 
-    What is interchangeable is looked up in the first state. Raises NppgError where scipy is missing, or for a mismatch
-    that is not above 0.
+    What is interchangeable is looked up in each state, so that how a pair looks hangs on nothing that was met before.
+    Raises NppgError where scipy is missing, or for a mismatch that is not above 0.
     """
 
     def __init__(self, domain: Domain, bias: LanguageBias, mismatch: float = 1.0):
@@ -42,7 +42,7 @@ class PairDistance:
         self.goal = bias.goal
         self.mismatch = mismatch
         self._sets = PartSets()
-        self._kinds: dict[Ground, str] | None = None  # of the interchangeable objects
+        self._kinds: dict[Ground, str] = {}  # of the objects that are interchangeable in the state that is described
         self._symbols: dict[object, int] = {}
         self._classes: dict[tuple[int, ...], int] = {}
         self._set_of = np.zeros(0, np.int64)  # of each class: its set of parts, and the labels of its roles
@@ -62,8 +62,7 @@ class PairDistance:
 
     def describe(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """The number of each action's class, shape (actions,)."""
-        if self._kinds is None:
-            self._kinds = self._interchangeable(state)
+        self._kinds = self.domain.kinds(state)
         parts = self.domain.parts(state)
         goal: tuple[Ground, ...] = ()
         if self.goal:
@@ -72,14 +71,6 @@ class PairDistance:
             if not self.domain.has_parts:
                 parts = tuple(part for part in parts if (part[0], len(part) - 1) != (self.goal.name, arity))
         return np.array([self._class(state, action, goal, parts) for action in actions], np.int64)
-
-    def _interchangeable(self, state: State) -> dict[Ground, str]:
-        self.domain.visit(state)
-        kinds: dict[Ground, str] = {}
-        for name in self.domain.interchangeable:
-            for each in self.domain.members(name):
-                kinds[each] = f"{kinds.get(each, '')} {name}"
-        return kinds
 
     def _class(
         self, state: State, action: Action, goal: tuple[Ground, ...], parts: tuple[tuple[Ground, ...], ...]
@@ -105,14 +96,13 @@ class PairDistance:
         return found
 
     def _is_object(self, term: Ground) -> bool:
-        return term in self._kinds if self._kinds else not isinstance(term, int | float)
+        return term in self._kinds if self.domain.interchangeable else not isinstance(term, int | float)
 
     def _symbol(self, term: Ground, names: dict[Ground, int]) -> int:
         if term in names:
             return names[term]
         if isinstance(term, tuple):
             return self._number((term[0], *(self._symbol(arg, names) for arg in term[1:])))
-        assert self._kinds is not None
         return self._number((None, self._kinds[term]) if term in self._kinds else term)
 
     def _number(self, item: object) -> int:

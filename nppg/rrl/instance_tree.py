@@ -135,6 +135,7 @@ class InstanceTree:
         policy = Policy(self.table.domain, self.table.bias, self.table)
         policy.add(self.tree.with_values(lambda leaf: fmean(self.leaves[leaf].instances.values.tolist() or [0.0])))
         facts: list[tuple] = [("learner", self.options.learner), ("mismatch", self.options.mismatch)]
+        facts += [("power", self.options.power)] if self.options.power != 1 else []
         for rule, leaf in enumerate(self.tree.in_order(), 1):
             for _, value, state, action in self.leaves[leaf].examples():
                 facts.append(("instance", ("instance", rule, action, value, ("state", *state))))
@@ -147,7 +148,9 @@ def restored(policy: Policy, path: Path) -> QFunction:
     facts, tree = policy.facts, policy.trees[0]
     instances = facts.get("instance", [])
     options = {each.learner: each for each in (RIBOptions, TrendiOptions)}[facts["learner"][0]](
-        max_instances=max(2, len(instances)), mismatch=facts.get("mismatch", [1.0])[0]
+        max_instances=max(2, len(instances)),
+        mismatch=facts.get("mismatch", [1.0])[0],
+        power=facts.get("power", [1.0])[0],
     )
     distance = PairDistance(policy.domain, policy.bias, options.mismatch)
     regressor = InstanceTree(policy.table, Refiner(policy.bias), distance, options, tree)

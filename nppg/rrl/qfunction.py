@@ -8,8 +8,8 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from nppg.answers.table import Table
-from nppg.policy.gibbs import gibbs
-from nppg.policy.policy import Policy, is_best
+from nppg.policy.gibbs import best, gibbs
+from nppg.policy.policy import Policy
 from nppg.rrl.options import QOptions
 from nppg.worlds.domain import Action, State
 
@@ -72,8 +72,8 @@ class QFunction(Policy):
     def probabilities_of(self, potentials: np.ndarray) -> np.ndarray:
         if self.options.exploration == "boltzmann":
             return gibbs(potentials / self.temperature)
-        best = is_best(potentials, potentials.max())
-        return self.options.epsilon / len(potentials) + (1 - self.options.epsilon) * best / best.sum()
+        highest = best(potentials)
+        return self.options.epsilon / len(potentials) + (1 - self.options.epsilon) * highest / highest.sum()
 
     def sizes(self) -> dict[str, int]:
         return self.regressor.sizes()

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from weakref import WeakKeyDictionary
-
 from nppg.answers.coverage import root_table
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refiner
@@ -16,8 +14,6 @@ from nppg.rrl.qfunction import Regressor
 from nppg.rrl.tg import TG
 from nppg.worlds.domain import Domain
 
-_distances: WeakKeyDictionary[Domain, dict[tuple, PairDistance]] = WeakKeyDictionary()
-
 
 def regressor(domain: Domain, bias: LanguageBias, options: QOptions) -> Regressor:
     """A new one that has learned nothing. Raises NppgError for a bias with thresholds, which these cannot learn."""
@@ -28,12 +24,6 @@ def regressor(domain: Domain, bias: LanguageBias, options: QOptions) -> Regresso
     refiner = Refiner(bias)
     table = root_table(domain, bias, refiner)
     if isinstance(options, InstanceOptions):
-        return InstanceTree(table, refiner, distance(domain, bias, options.mismatch), options)
+        return InstanceTree(table, refiner, PairDistance(domain, bias, options.mismatch), options)
     assert isinstance(options, TGOptions)
     return TG(table, refiner, options)
-
-
-def distance(domain: Domain, bias: LanguageBias, mismatch: float) -> PairDistance:
-    """The one of a domain, whose runs share what it remembers."""
-    known = _distances.setdefault(domain, {})
-    return known.setdefault((bias.goal, mismatch), PairDistance(domain, bias, mismatch))

@@ -203,6 +203,13 @@ class Domain:
         self.visit(state)
         return ground(ask("binding_of", self.module, predicate, arity))
 
-    def members(self, predicate: str) -> list[Ground]:
-        """All X for which predicate(X) holds in the current state, sorted."""
-        return [ground(each) for each in ask("members", self.module, predicate)]
+    def kinds(self, state: State) -> dict[Ground, str]:
+        """The interchangeable objects of a state, with what tells those apart that are not members of the same
+        predicates."""
+        found: dict[Ground, str] = {}
+        for name in self.interchangeable:
+            self.visit(state)
+            for each in ask("members", self.module, name):
+                each = ground(each)
+                found[each] = f"{found.get(each, '')} {name}"
+        return found
