@@ -15,7 +15,11 @@ from nppg.answers.coverage import table_of
 from nppg.bridge.interrupts import interruptible
 from nppg.bridge.terms import Ground
 from nppg.cli.main import main
+from nppg.learning.critic import ValueFunction
 from nppg.learning.episode import Episode
+from nppg.rrl.options import TGOptions
+from nppg.rrl.training import examples
+from nppg.trees.tree import Leaf
 from nppg.worlds.domain import State
 from nppg.worlds.gym_domain import GymDomain
 
@@ -216,16 +220,53 @@ def test_a_mask_says_what_is_legal_unless_nothing_is(mask: Any, legal: list[int]
     assert len(domain.situation(state).actions) == 3
 
 
-@pytest.mark.parametrize("outcome", [(2.0, True, False), (2.0, False, True)])
-def test_what_the_environment_ends_is_over(outcome: tuple) -> None:
-    """Also where it truncates by itself, without a time limit that Gymnasium knows of."""
+@pytest.mark.parametrize("outcome", [(2.0, True, False), (2.0, True, True), (2.0, False, True)])
+def test_what_the_environment_ends_goes_on_no_more(outcome: tuple) -> None:
+    """It is cut off where the environment truncates by itself, without a time limit that Gymnasium knows of."""
     domain, env = told()
     state = started(domain)
-    env.outcome = outcome
+    env.outcome, env.info = outcome, {"action_mask": [1, 0, 1]}
     reward, state = domain.act(state, ("do", 0), np.random.default_rng(0))
-    assert (reward, domain.situation(state)) == (2.0, ("terminal", []))
+    left = ("terminal", []) if outcome[1] else ("truncated", [("do", 0), ("do", 2)])
+    assert (reward, domain.situation(state)) == (2.0, left)
     with pytest.raises(NppgError, match="has ended"):
         domain.act(state, ("do", 0), np.random.default_rng(0))
+    with pytest.raises(NppgError, match=f"the state is a {left[0]} state"):
+        uniform(domain).act(state, np.random.default_rng(0))
+
+
+@pytest.mark.parametrize(("outcome", "value"), [((1.0, True, False), 1.0), ((1.0, False, True), 1.0 + 0.9 * 5.0)])
+def test_value_is_expected_behind_a_truncation_alone(outcome: tuple, value: float) -> None:
+    """The paper's critic and relational Q-learning."""
+    domain, env = told()
+    env.outcome = outcome
+    played = episode(domain, 0)
+    assert len(played.steps) == 1 and bool(played.open) == outcome[2] and not played.success
+    values = ValueFunction(domain, language_bias_of(domain), Options(discount=0.9, cut_off="bootstrap"))
+    values.trees.add(Leaf(5.0))
+    assert [visit.value for visit in values.visits(played)] == [pytest.approx(value - 5.0)]
+    values.options = Options(discount=0.9)
+    assert [visit.value for visit in values.visits(played)] == [pytest.approx(1.0 - 5.0)]
+    learner: Any = uniform(domain)
+    learner.add(Leaf(5.0))
+    learner.options = TGOptions(discount=0.9)
+    assert [each.value for each in examples(played, learner)] == [pytest.approx(value)]
+
+
+def test_a_domain_that_cuts_itself_off_is_truncated_as_an_environment_too() -> None:
+    from nppg.gym_env import DomainEnv
+
+    env = DomainEnv("gym:nppg/Told-v2")
+    own = env.domain._made.env.unwrapped  # type: ignore[attr-defined]
+    env.reset(seed=0)
+    own.outcome = (2.0, False, True)
+    _, reward, terminated, truncated, info = env.step(1)
+    assert (reward, terminated, truncated, len(info["actions"]), info["legal"]) == (2.0, False, True, 3, True)
+    _, reward, terminated, truncated, info = env.step(1)
+    assert (reward, terminated, truncated, info["legal"]) == (0.0, False, True, False)
+    assert len(own.taken) == 1
+    inner = opened("nppg/grid-bounded-v0")
+    assert any(episode(inner, seed).open for seed in range(3)), "its horizon is no limit that Gymnasium knows of"
 
 
 def test_an_environment_goes_on_from_where_it_is_alone() -> None:

@@ -95,7 +95,8 @@ class DomainEnv(gymnasium.Env):
     `info["actions"]` has the legal actions, none once the episode has terminated, and `info["action_texts"]` how
     Prolog writes them; step(i) takes the i-th. A number that none of them has changes nothing, is rewarded by 0, counts
     as a step, and is told by `info["legal"]`. An episode terminates in a goal state (`info["is_success"]`) or a
-    terminal state, and is truncated after horizon_factor times the domain's horizon. Raises NppgError for mistakes in
+    terminal state, and is truncated after horizon_factor times the domain's horizon, or where a domain that is an
+    environment of Gymnasium itself truncates it. Raises NppgError for mistakes in
     the domain file, the parameters and the other arguments.
     """
 
@@ -136,15 +137,15 @@ class DomainEnv(gymnasium.Env):
     def step(self, action: int) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         if not self._limit:
             raise gymnasium.error.ResetNeeded("call reset() before step()")
-        legal = 0 <= action < len(self.actions)
+        legal = self._status == "running" and 0 <= action < len(self.actions)
         reward = 0.0
         if legal:
             reward, self.state = self.domain.act(self.state, self.actions[action], self.np_random)
             self._look()
         self._steps += 1
-        terminated = self._status != "running"
+        terminated = self._status in ("goal", "terminal")
         observation, info = self._observed()
-        truncated = not terminated and self._steps >= self._limit
+        truncated = not terminated and (self._status == "truncated" or self._steps >= self._limit)
         return observation, float(reward), terminated, truncated, {**info, "legal": legal}
 
     def render(self) -> str | None:

@@ -67,7 +67,7 @@ class ValueFunction:
 
     def visits(self, episode: Episode) -> list[Visit]:
         """With generalised advantage estimation. Nothing follows a goal or terminal state, nor, unless `cut_off` says
-        so, where an episode was cut off by its horizon."""
+        so, where an episode was cut off."""
         if not episode.steps:
             return []
         *values, last = self([*(step.state for step in episode.steps), episode.last]).tolist()

@@ -34,9 +34,9 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Episode:
-    """The steps, the last state as the policy sees it, its legal actions (none where it is a goal or terminal state),
-    and whether it is a goal state. `guided`: the expert, who sees states as they are, chose the actions. `actual`: the
-    last state as it is."""
+    """The steps, the last state as the policy sees it, its legal actions (none where it is a goal or terminal state, so
+    some where the episode was cut off), and whether it is a goal state. `guided`: the expert, who sees states as they
+    are, chose the actions. `actual`: the last state as it is."""
 
     steps: tuple[Step, ...]
     last: State
@@ -53,8 +53,8 @@ def generate_episode(
     horizon_factor: float = 1.0,
     greedy: bool = False,
 ) -> Episode:
-    """Draws a start state and acts until the episode ends: in a goal or terminal state, or after
-    horizon_factor times the domain's horizon.
+    """Draws a start state and acts until the episode ends: in a goal or terminal state, or cut off, by its environment
+    or after horizon_factor times the domain's horizon.
 
     With probability `guidance` the whole episode is a trace of the domain's expert. Raises NppgError where the
     domain's code is at fault.

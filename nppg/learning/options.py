@@ -106,8 +106,8 @@ class Options(Common):
     )
     cut_off: str = option(
         "end",
-        "what the critic expects behind an episode that its horizon has ended: nothing, where the horizon is part of "
-        "the task, or (bootstrap) the value of its last state",
+        "what the critic expects behind an episode that its horizon or its environment has cut off: nothing, where the "
+        "horizon is part of the task, or (bootstrap) the value of its last state",
         choices=("end", "bootstrap"),
     )
     critic_step_size: float = option(0.5, "by which each tree of the value function is multiplied", low=0, high=1)

@@ -90,7 +90,7 @@ class Policy:
         """Draws a legal action from the distribution, or one of those with the highest potential. Raises NppgError
         where there is none."""
         status, actions = self.domain.situation(state)
-        if not actions:
+        if status != "running":
             raise NppgError(f"there is no action to choose: the state is a {status} state")
         seen = self.domain.observe(state, rng)
         potentials = self.potentials(seen, actions)

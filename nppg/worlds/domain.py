@@ -32,7 +32,9 @@ class Interpretation(State):
 
 
 class Situation(NamedTuple):
-    """What a state is: `running`, `goal` or `terminal`; and its legal actions, none unless it is running."""
+    """What a state is: `running`, `goal` or `terminal`; or `truncated`, where no further step may be taken though the
+    task is not over, as an environment of Gymnasium may say. And its legal actions, none in a goal or terminal state.
+    """
 
     status: str
     actions: list[Action]

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 _SEEDS = 2**31  # an environment's seed is drawn below this
 _ENDED = Situation("terminal", [])
+_TRUNCATED = "truncated"
 
 
 class GymDomain(Domain):
@@ -87,7 +88,8 @@ class GymDomain(Domain):
         return self._state
 
     def situation(self, state: State) -> Situation:
-        """`terminal` once the environment has ended the episode, else its actions, or those of its action_mask."""
+        """`terminal` once the environment has terminated the episode, else its actions, or those of its action_mask;
+        `truncated` with those that there would be, once the environment itself has cut the episode off."""
         if state is not self._state and state != self._state:
             raise self._elsewhere()
         return self._now
@@ -103,7 +105,7 @@ class GymDomain(Domain):
         """Takes a step in the environment, whose randomness comes from the seed of its start."""
         if state is not self._state and state != self._state:
             raise self._elsewhere()
-        if self._now is _ENDED:
+        if self._now.status != "running":
             raise NppgError(f"gym:{self._made.id}: the episode has ended, and no action leads on")
         number = self._numbers.get(action)
         if number is None:
@@ -116,7 +118,9 @@ class GymDomain(Domain):
         if not math.isfinite(reward):
             raise NppgError(f"gym:{self._made.id}: step gave the reward {reward}")
         self._state = self._read(observation)
-        self._now = _ENDED if terminated or truncated else self._legal(info)
+        self._now = _ENDED if terminated else self._legal(info)
+        if truncated and not terminated:
+            self._now = self._now._replace(status=_TRUNCATED)
         return reward, self._state
 
     def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
