@@ -8,11 +8,13 @@
 :- use_module(domain).
 :- use_module(guard).
 :- use_module(interpretation).
+:- use_module(loading).
 :- use_module(model).
 :- use_module(potential).
 :- use_module(query_pack).
 :- use_module(randomness, [without_draws/1]).
 :- use_module(report, [problems/2]).
+:- use_module(table).
 :- use_module(terms).
 
 /** <module> What Python asks
@@ -225,6 +227,7 @@ table(Module, Kinds, Goal, Table) :-
     new_table(Module, Kinds, Goal, Table).
 
 table_drop(Table, true) :-
+    drop_examples(Table),
     drop_table(Table).
 
 tests(Table, Kind, Group, Words, true) :-
