@@ -8,11 +8,14 @@
 :- use_module(domain).
 :- use_module(guard).
 :- use_module(interpretation).
+:- use_module(loading).
 :- use_module(model).
 :- use_module(potential).
 :- use_module(query_pack).
 :- use_module(randomness, [without_draws/1]).
-:- use_module(report, [problems/2, shown/2]).
+:- use_module(report, [problems/2]).
+:- use_module(state_text).
+:- use_module(table).
 :- use_module(terms).
 
 /** <module> What Python asks
@@ -81,42 +84,11 @@ visit(Module, Data, true) :-
     sort(Facts0, Facts),
     interpret(Module, Facts).
 
-%!  state_of(+Module, +Text, +Fluents, -Data) is det.
-%
-%   The sorted facts that a text lists, Fluents being the names that may be meant. Throws nppg_problems.
+%!  state_of(+Module, +Text, +Fluents, -Data) is det: the facts that a text lists; see state_text.pl.
 
 state_of(Module, Text, Fluents, Data) :-
-    listed(Module, Text, Terms),
-    findall(Problem, ( member(Term, Terms), no_fact(Module, Term, Fluents, Problem) ), Problems),
-    (   Problems == []
-    ->  sort(Terms, Facts),
-        encode_all(Facts, Data)
-    ;   throw(nppg_problems(Problems))
-    ).
-
-listed(Module, Text, Terms) :-
-    format(string(Listed), '[~w]', [Text]),
-    catch(term_string(Terms, Listed, [module(Module)]), error(syntax_error(What), _),
-          ( format(atom(Message), 'a state is a list of facts, like on(b1, b2), on(b2, floor): ~w in ~q', [What, Text]),
-            throw(nppg_problems([-('', 0, 0, Message)])) )).
-
-no_fact(Module, Term, _, -('', 0, 0, Message)) :-
-    callable(Term),
-    functor(Term, Name, Arity),
-    Module:nppg_fluent(Name/Arity),
-    !,
-    \+ proper(Term),
-    defect(Term, Defect),
-    shown(Term, Shown),
-    format(atom(Message), '~w is no fact~w', [Shown, Defect]).
-no_fact(_, Term, Fluents, -('', 0, 0, Message, Named, Fluents)) :-
-    (   callable(Term)
-    ->  functor(Term, Name, Arity),
-        format(atom(Named), '~w/~w', [Name, Arity])
-    ;   Named = ''
-    ),
-    shown(Term, Shown),
-    format(atom(Message), '~w is no fact of a declared fluent', [Shown]).
+    read_state(Module, Text, Fluents, Facts),
+    encode_all(Facts, Data).
 
 drawing(Module, Lines) :-
     picture(Module, Lines).
@@ -262,6 +234,7 @@ table(Module, Kinds, Goal, Table) :-
     new_table(Module, Kinds, Goal, Table).
 
 table_drop(Table, true) :-
+    drop_examples(Table),
     drop_table(Table).
 
 tests(Table, Kind, Group, Words, true) :-

@@ -183,7 +183,7 @@ class TestTable(Table):
 
 
 def measure(test: Query) -> list:
-    """What decides a test with a bound, as prolog/query_pack.pl reads it: the bound first."""
+    """What decides a test with a bound, as prolog/test_clauses.pl reads it: the bound first."""
     bound = next(filter(is_open, test))
     return ["measure", encoded((Literal(bound.name, (bound.args[0], 0)), *(each for each in test if each != bound)))]
 

@@ -1,29 +1,12 @@
 :- use_module('../../prolog/domain').
 :- use_module('../../prolog/interpretation').
+:- use_module('../../prolog/loading').
+:- use_module(worlds).
 
-:- dynamic ferry/1, ferry_file/1, blocks_file/1, noisy_file/1.
-:- prolog_load_context(directory, Directory),
-   atom_concat(Directory, '/../domains/ferry.pl', File),
-   assertz(ferry_file(File)),
-   atom_concat(Directory, '/../../domains/blocks_world.pl', Blocks),
-   assertz(blocks_file(Blocks)),
-   atom_concat(Directory, '/../../domains/noisy_blocks.pl', Noisy),
-   assertz(noisy_file(Noisy)).
+:- dynamic ferry/1.
 
-:- begin_tests(domain, [ setup((load([], M), assertz(user:ferry(M)))),
+:- begin_tests(domain, [ setup((ferry([], M), assertz(user:ferry(M)))),
                          cleanup((retract(user:ferry(M)), unload_domain(M))) ]).
-
-load(Parameters, Module) :-
-    user:ferry_file(File),
-    load_domain(File, Parameters, Module, _).
-
-blocks(Module) :-
-    user:blocks_file(File),
-    load_domain(File, [], Module, _).
-
-noisy(Noise, Module) :-
-    user:noisy_file(File),
-    load_domain(File, [[noise, Noise]], Module, _).
 
 %   Numbers are drawn as under nppg.bridge.prolog.randomness.
 
@@ -37,19 +20,6 @@ towers([on(a, floor), on(b, floor), on(c, a), goal_on(a, b)]).
 
 at([boat(left), fuel(3), car(c1, left), car(c2, left)]).
 
-test(description, [nondet, true(Fluents-Parameters-Actions
-        == [[boat, 1], [car, 2], [fuel, 1]]-[[cars, 2], [storm, 0.25]]-[[carry, 1], [cross, 0]])]) :-
-    user:ferry_file(File),
-    load_domain(File, [], Module, Description),
-    unload_domain(Module),
-    member([fluents, Fluents], Description),
-    member([parameters, Parameters], Description),
-    member([actions, Actions], Description).
-test(parameter, [cleanup(unload_domain(Module)), Facts == [boat(left), fuel(2), car(c1, left)]]) :-
-    load([[cars, 1]], Module),
-    start(Module, Facts).
-test(wrong_parameter, throws(nppg_problems([-(_, 1, 0, 'there is no parameter carz; the domain has cars, storm', carz, [cars, storm])]))) :-
-    load([[carz, 1]], _).
 test(actions, Actions == [cross, carry(c1), carry(c2)]) :-
     ferry(M), at(Facts),
     interpret(M, Facts),
@@ -118,12 +88,5 @@ test(unseeded_observation, [setup(noisy(0.1, Noisy)), cleanup(unload_domain(Nois
     sort(Towers, State),
     interpret(Noisy, State),
     observation(Noisy, _).
-test(two_instances, [cleanup(unload_domain(Other)), true(Here-There == [c1, c2]-[])]) :-
-    ferry(M), at(Facts),
-    load([], Other),
-    interpret(M, Facts),
-    interpret(Other, [boat(left), fuel(1)]),
-    objects(M, waiting, Here),
-    objects(Other, waiting, There).
 
 :- end_tests(domain).

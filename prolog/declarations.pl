@@ -1,0 +1,176 @@
+:- module(nppg_declarations,
+          [ reading/6,           % +Module, +Name, +File, +Parameters, :Goal, -Problems  det
+            heard/1              % +Problem                       det
+          ]).
+
+:- use_module(library(lists), [member/2, memberchk/2]).
+:- use_module(contract, [contract/1, declared/2, environment/2]).
+:- use_module(guard, []).
+:- use_module(report, [explanation/2]).
+:- use_module(values, [finite/1]).
+
+/** <module> The declarations of a domain file
+
+While a domain file is being read, its declarations become clauses: those of nppg_fluent/1, nppg_interchangeable/1,
+nppg_environment/1 and parameter/2 and the fact nppg_uniform_start, in the file's module. Mistakes in them, and
+what Prolog has to say of the file, are noted with their places.
+*/
+
+:- op(1150, fx, user:[fluent, interchangeable]).
+:- thread_local loading/3, setting/2, noted/1.
+
+%!  reading(+Module, +Name, +File, +Parameters, :Goal, -Problems) is det.
+%
+%   Runs Goal, which loads File, a file of the module Name, as Module. Parameters is a list of lists [Name, Value].
+%   Problems is what was noted, in order.
+
+:- meta_predicate reading(+, +, +, +, 0, -).
+
+reading(Module, Name, File, Parameters, Goal, Problems) :-
+    retractall(noted(_)),
+    retractall(setting(_, _)),
+    forall(member([Key, Value], Parameters), assertz(setting(Key, Value))),
+    setup_call_cleanup(
+        asserta(loading(Module, Name, File)),
+        Goal,
+        retractall(loading(_, _, _))),
+    findall(Problem, retract(noted(Problem)), Problems).
+
+%!  heard(+Problem) is det.
+%
+%   Notes a problem with the file that is being read.
+
+heard(Problem) :-
+    assertz(noted(Problem)).
+
+user:term_expansion(Term, Expansion) :-
+    loading(Module, Name, File),
+    nonvar(Term),
+    prolog_load_context(source, File),
+    source_location(_, Line),
+    nb_setval(nppg_line, Line),
+    expansion(Term, Module, Name, Expansion).
+
+expansion((:- Declaration), Module, Name, Expansion) :-
+    !,
+    nonvar(Declaration),
+    (   Declaration = module(Name, Exports)
+    ->  Expansion = [(:- module(Module, Exports)), (:- nppg_guard:forbid_halt(Module)),
+                     (:- discontiguous([nppg_fluent/1, nppg_interchangeable/1, nppg_environment/1, parameter/2]))]
+    ;   declaration(Declaration, Module, Expansion)
+    ).
+expansion(Clause, Module, _, []) :-
+    (   Clause = (Head :- _)
+    ->  true
+    ;   Head = Clause
+    ),
+    callable(Head),
+    functor(Head, Name, Arity),
+    declared(Module, nppg_fluent(Name/Arity)),
+    wrong('~q is a fluent: its facts come from start/1 and the effects, not from the file'-[Name/Arity]).
+
+declaration(fluent(Specs), _, Clauses) :-
+    findall(Spec, specified(Specs, Spec), All),
+    findall(Clause, ( member(Spec, All), fluent_clause(Spec, Clause) ), Clauses).
+declaration(parameter(Parameter, Default), Module, Clauses) :-
+    (   \+ ( atom(Parameter), kind(Default, _) )
+    ->  declaration(parameter(_), Module, Clauses)
+    ;   declared(Module, parameter(Parameter, _))
+    ->  wrong('the parameter ~q is declared twice'-[Parameter]),
+        Clauses = []
+    ;   setting(Parameter, Value)
+    ->  must_fit(Parameter, Default, Value),
+        Clauses = [parameter(Parameter, Value)]
+    ;   Clauses = [parameter(Parameter, Default)]
+    ).
+declaration(parameter(_), _, []) :-
+    wrong('a parameter is declared by :- parameter(Name, Default), its default a name or a finite number'-[]).
+declaration(uniform_start, _, [nppg_uniform_start]).
+declaration(environment(Id), Module, Clauses) :-
+    (   \+ ( atom(Id), Id \== '' )
+    ->  wrong('an environment of Gymnasium is declared by its id: :- environment(\'CartPole-v1\')'-[]),
+        Clauses = []
+    ;   environment(Module, Other)
+    ->  wrong('an environment is declared already: ~q'-[Other]),
+        Clauses = []
+    ;   Clauses = [nppg_environment(Id)]
+    ).
+declaration(interchangeable(Spec), _, Clauses) :-
+    (   nonvar(Spec), Spec = Name/1, atom(Name)
+    ->  Clauses = [nppg_interchangeable(Spec)]
+    ;   wrong('interchangeable objects are declared by a predicate of one argument: :- interchangeable block/1'-[]),
+        Clauses = []
+    ).
+
+specified(Specs, Spec) :-
+    (   nonvar(Specs), ( Specs = (First, More) ; Specs = [First|More] )
+    ->  (   specified(First, Spec)
+        ;   specified(More, Spec)
+        )
+    ;   Specs \== [],
+        Spec = Specs
+    ).
+
+fluent_clause(Spec, Clause) :-
+    (   \+ ( nonvar(Spec), Spec = Name/Arity, atom(Name), integer(Arity), Arity >= 0 )
+    ->  wrong('a fluent is declared by its name and the number of its arguments: :- fluent on/2'-[]),
+        fail
+    ;   contract(Spec)
+    ->  wrong('~q is a predicate of the contract and can be no fluent'-[Spec]),
+        fail
+    ;   member(Clause, [(:- dynamic(Spec)), nppg_fluent(Spec)])
+    ).
+
+%   A parameter's value is of the kind of its default; an integer does for a float.
+
+must_fit(Parameter, Default, Value) :-
+    kind(Default, Wanted),
+    (   kind(Value, Given), memberchk(Given-Wanted, [Wanted-Wanted, 'a whole number'-'a finite number'])
+    ->  true
+    ;   wrong('the parameter ~q must be ~w, not ~q'-[Parameter, Wanted, Value])
+    ).
+
+kind(Value, Kind) :-
+    (   atom(Value)
+    ->  Kind = 'a name'
+    ;   integer(Value)
+    ->  Kind = 'a whole number'
+    ;   finite(Value)
+    ->  Kind = 'a finite number'
+    ).
+
+%   Notes a mistake in the term that is being read.
+
+wrong(Format-Args) :-
+    format(atom(Text), Format, Args),
+    located(wrong, File, Line, Column),
+    heard(-(File, Line, Column, Text)).
+
+user:thread_message_hook(Message, Kind, _) :-
+    loading(_, _, _),
+    memberchk(Kind, [error, warning]),
+    located(Message, File, Line, Column),
+    explanation(Message, Text),
+    heard(-(File, Line, Column, Text)).
+
+located(error(_, Context), File, Line, Column) :-
+    nonvar(Context),
+    Context = file(File, Line, Column, _),
+    !.
+located(error(_, Context), File, Line, Column) :-
+    nonvar(Context),
+    Context = stream(_, Line, Column, _),
+    !,
+    prolog_load_context(source, Id),
+    source_file_name(Id, File).
+located(_, File, Line, 0) :-
+    source_location(Id, Line),
+    !,
+    source_file_name(Id, File).
+located(_, '', 0, 0).
+
+source_file_name(Id, File) :-
+    (   sub_atom(Id, Before, _, _, '#')
+    ->  sub_atom(Id, 0, Before, _, File)
+    ;   File = Id
+    ).

@@ -1,0 +1,136 @@
+:- module(nppg_loading,
+          [ load_domain/4,       % +File, +Parameters, -Module, -Description  det
+            unload_domain/1,     % +Module                       det
+            defines/2            % +Module, ?Indicator           nondet
+          ]).
+
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(contract).
+:- use_module(declarations).
+:- use_module(guard, [stop_for/1]).
+:- use_module(interpretation, [forget/1, forget_tables/1]).
+:- use_module(randomness, []).
+:- use_module(report, [explanation/2]).
+
+/** <module> Loading domain files
+
+Every load makes an instance, a module of its own, so that one file can be loaded with other parameters
+beside itself.
+*/
+
+:- dynamic
+    defines/2,                   % Module, Indicator: of the contract's predicates
+    instances/1.
+instances(0).
+
+%!  load_domain(+File, +Parameters, -Module, -Description) is det.
+%
+%   Parameters is a list of lists [Name, Value]. Description is a list of lists [Key, Value].
+%
+%   @throws nppg_problems(Problems): every mistake that can be found without running the domain
+
+load_domain(File, Parameters, Module, Description) :-
+    module_name(File, Name),
+    retract(instances(Count0)),
+    Count is Count0+1,
+    assertz(instances(Count)),
+    format(atom(Module), '~w#~d', [Name, Count]),
+    reading(Module, Name, File, Parameters, load(File, Module), Heard),
+    add_import_module(Module, nppg_randomness, start),
+    (   member(Problem, Heard), syntax_error(Problem)
+    ->  Mistakes = []                       % what could not be read would be taken for missing
+    ;   findall(Problem, mistake(Module, File, Parameters, Problem), Mistakes)
+    ),
+    append(Heard, Mistakes, Problems),
+    (   Problems == []
+    ->  true
+    ;   unload_domain(Module),
+        sort(Problems, Sorted),
+        length(Sorted, Count1),
+        (   Count1 > 50
+        ->  length(First, 50),
+            append(First, _, Sorted),
+            More is Count1-50,
+            format(atom(Text), '~D more mistakes', [More]),
+            append(First, [-(File, 0, 0, Text)], Shown)
+        ;   Shown = Sorted
+        ),
+        throw(nppg_problems(Shown))
+    ),
+    forall(( contract(Indicator), defined(Module, Indicator) ),
+           assertz(defines(Module, Indicator))),
+    (   current_predicate(Module:TabledName/TabledArity),
+        functor(Tabled, TabledName, TabledArity),
+        predicate_property(Module:Tabled, tabled)
+    ->  forget_tables(Module)
+    ;   true
+    ),
+    findall([Key, Value], description(Module, Name, Key, Value), Description).
+
+module_name(File, Name) :-
+    catch(setup_call_cleanup(
+              open(File, read, In, [encoding(utf8)]),
+              first_term(In, Term),
+              close(In)),
+          Error,
+          ( explanation(Error, Text), throw(nppg_problems([-(File, 0, 0, Text)])) )),
+    (   nonvar(Term), Term = (:- module(Name, Exports)), atom(Name), is_list(Exports)
+    ->  true
+    ;   throw(nppg_problems([-(File, 1, 0, 'a domain starts with :- module(Name, []).')]))
+    ).
+
+first_term(In, Term) :-
+    catch(read(In, Term), error(syntax_error(_), _), Term = none).
+
+%   Directives and term expansions may loop, too.
+
+load(File, Module) :-
+    atomic_list_concat([File, Module], '#', Id),
+    nb_setval(nppg_line, 1),
+    Limit = 100 000 000,
+    statistics(inferences, Before),
+    catch(setup_call_cleanup(
+              open(File, read, In, [encoding(utf8)]),
+              call_with_inference_limit(load_files(user:Id, [stream(In), if(true), imports([]), silent(true)]),
+                                        Limit, Result),
+              close(In)),
+          Error,
+          load_stopped(Error, File, Before, Limit)),
+    (   Result == inference_limit_exceeded
+    ->  load_problem(File, Limit, Problem),
+        heard(Problem)
+    ;   true
+    ).
+
+load_stopped(Error, File, Before, Limit) :-
+    (   Error \== '$aborted'
+    ->  explanation(Error, Text),
+        load_problem(File, Text, Problem),
+        heard(Problem)
+    ;   statistics(inferences, After),
+        (   After-Before >= Limit
+        ->  load_problem(File, Limit, Problem)
+        ;   load_problem(File, 'loading was aborted', Problem)
+        ),
+        stop_for(nppg_problems([Problem]))
+    ).
+
+load_problem(File, What, -(File, Line, 0, Text)) :-
+    nb_getval(nppg_line, Line),
+    (   integer(What)
+    ->  format(atom(Text), 'took more than ~D inferences to load (does a directive loop?)', [What])
+    ;   Text = What
+    ).
+
+syntax_error(-(_, _, _, Text)) :-
+    sub_atom(Text, 0, _, _, 'Syntax error').
+
+unload_domain(Module) :-
+    forget(Module),
+    retractall(defines(Module, _)),
+    forall(( source_file(Id), atom_concat(_, Module, Id) ), unload_file(Id)),
+    forall(( current_predicate(Module:Name/Arity),
+             functor(Head, Name, Arity),
+             predicate_property(Module:Head, dynamic),
+             \+ predicate_property(Module:Head, imported_from(_)) ),
+           retractall(Module:Head)).

@@ -1,0 +1,91 @@
+:- module(nppg_values,
+          [ must_be_facts/3,     % +Module, +Source, +Facts      det
+            must_be_actions/3,   % +Module, +Source, +Actions    det
+            proper/1,            % +Term                         semidet
+            defect/2,            % +Term, -Text                  det
+            finite/1             % +Term                         semidet
+          ]).
+
+:- use_module(library(lists), [member/2, memberchk/2]).
+:- use_module(guard, [fault/2]).
+
+/** <module> What a domain may give as facts, actions and numbers
+
+Source is the predicate, as Name/Arity, that gave them and is told to be at fault where they are none.
+*/
+
+must_be_facts(Module, Source, Facts) :-
+    (   is_list(Facts)
+    ->  true
+    ;   fault(Module:Source, 'gave ~w where a list of facts is wanted,'-[Facts])
+    ),
+    (   member(Fact, Facts), \+ fact(Module, Fact)
+    ->  defect(Fact, Defect),
+        fault(Module:Source, 'gave ~w, which is no fact of a declared fluent~w,'-[Fact, Defect])
+    ;   true
+    ).
+
+fact(Module, Fact) :-
+    callable(Fact),
+    functor(Fact, Name, Arity),
+    Module:nppg_fluent(Name/Arity),
+    proper(Fact).
+
+must_be_actions(Module, Source, Actions) :-
+    (   all_actions(Actions), proper(Actions)
+    ->  true
+    ;   member(Action, Actions), \+ ( callable(Action), proper(Action) ),
+        defect(Action, Defect),
+        fault(Module:Source, 'gave ~w, which is no action~w,'-[Action, Defect])
+    ).
+
+all_actions([]).
+all_actions([Action|Actions]) :-
+    callable(Action),
+    all_actions(Actions).
+
+%   What can be compared, stored and handed to Python: finite, ground, made of names, integers and floats.
+
+proper(Term) :-
+    ground(Term),
+    acyclic_term(Term),
+    plain(Term).
+
+plain(Term) :-
+    (   compound(Term)
+    ->  compound_name_arguments(Term, _, Args),
+        all_plain(Args)
+    ;   integer(Term)
+    ->  true
+    ;   float(Term)
+    ->  Term =:= Term
+    ;   atom(Term)
+    ->  true
+    ;   Term == []
+    ).
+
+all_plain([]).
+all_plain([Term|Terms]) :-
+    (   atom(Term)
+    ->  true
+    ;   plain(Term)
+    ),
+    all_plain(Terms).
+
+defect(Term, Text) :-
+    (   \+ ground(Term)
+    ->  Text = ' (it has an unbound variable)'
+    ;   \+ acyclic_term(Term)
+    ->  Text = ' (it contains itself)'
+    ;   \+ plain(Term)
+    ->  Text = ' (only names, integers, floats and compounds of them can be part of one)'
+    ;   Text = ''
+    ).
+
+finite(Number) :-
+    number(Number),
+    (   float(Number)
+    ->  float_class(Number, Class),
+        \+ memberchk(Class, [nan, infinite])
+    ;   true
+    ).
