@@ -55,7 +55,7 @@ expansion((:- Declaration), Module, Name, Expansion) :-
     !,
     nonvar(Declaration),
     (   Declaration = module(Name, Exports)
-    ->  Expansion = [(:- module(Module, Exports)), (:- nppg_guard:forbid_halt(Module)),
+    ->  Expansion = [(:- module(Module, Exports)), (:- nppg_guard:tame(Module)),
                      (:- discontiguous([nppg_fluent/1, nppg_interchangeable/1, nppg_environment/1, parameter/2]))]
     ;   declaration(Declaration, Module, Expansion)
     ).
@@ -65,9 +65,27 @@ expansion(Clause, Module, _, []) :-
     ;   Head = Clause
     ),
     callable(Head),
+    \+ memberchk(Head, [_:_, ( _ --> _ )]),
     functor(Head, Name, Arity),
-    declared(Module, nppg_fluent(Name/Arity)),
-    wrong('~q is a fluent: its facts come from start/1 and the effects, not from the file'-[Name/Arity]).
+    (   declared(Module, nppg_fluent(Name/Arity))
+    ->  wrong('~q is a fluent: its facts come from start/1 and the effects, not from the file'-[Name/Arity])
+    ;   built_in(Name/Arity)
+    ->  wrong('~q is built into Prolog and cannot be defined anew: choose another name'-[Name/Arity])
+    ).
+
+built_in(Name/Arity) :-
+    functor(Head, Name, Arity),
+    predicate_property(system:Head, iso).
+
+%   Arithmetic stays as it is written, unless the file has functions of its own: a domain is the same whatever else
+%   has been loaded. library(arithmetic) would look at every domain.
+
+plain_arithmetic(Goal) :-
+    loading(Module, _, _),
+    compound(Goal),
+    compound_name_arity(Goal, Name, 2),
+    memberchk(Name, [is, =:=, =\=, <, >, =<, >=]),
+    \+ catch(arithmetic:evaluable(_, Module), _, fail).
 
 declaration(fluent(Specs), _, Clauses) :-
     findall(Spec, specified(Specs, Spec), All),
@@ -117,6 +135,9 @@ fluent_clause(Spec, Clause) :-
         fail
     ;   contract(Spec)
     ->  wrong('~q is a predicate of the contract and can be no fluent'-[Spec]),
+        fail
+    ;   built_in(Spec)
+    ->  wrong('~q is built into Prolog and can be no fluent: choose another name'-[Spec]),
         fail
     ;   member(Clause, [(:- dynamic(Spec)), nppg_fluent(Spec)])
     ).
@@ -174,3 +195,7 @@ source_file_name(Id, File) :-
     ->  sub_atom(Id, 0, Before, _, File)
     ;   File = Id
     ).
+
+:- multifile system:goal_expansion/2.
+:- dynamic system:goal_expansion/2.
+:- asserta((system:goal_expansion(Goal, _) :- nppg_declarations:plain_arithmetic(Goal), !, fail)).

@@ -1,15 +1,17 @@
 :- module(nppg_guard,
           [ guarded/2,           % +Predicate, :Goal         semidet
+            guarded/3,           % +Predicate, +Asked, :Goal  semidet
             guarded_findall/4,   % ?Template, +Predicate, :Goal, -Answers  det
             fault/2,             % +Module, +Format-Args     throws
             inference_limit/1,   % ?Limit                    det
             set_inference_limit/1, % +Limit                  det
             stopped/1,           % -Fault                    semidet
             stop_for/1,          % +Fault                    det
-            forbid_halt/1        % +Module                   det
+            tame/1               % +Module                   det
           ]).
 
 :- use_module(library(lists), [member/2]).
+:- use_module(interpretation, [facts/2]).
 
 /** <module> Running a domain's code safely
 
@@ -17,7 +19,7 @@ A domain's predicate that loops, throws or calls halt/0 is reported with its nam
 and the state in which it happened. `Predicate` is Module:Name/Arity.
 */
 
-:- meta_predicate guarded(+, 0), guarded_findall(?, +, 0, -).
+:- meta_predicate guarded(+, 0), guarded(+, +, 0), guarded_findall(?, +, 0, -).
 
 :- dynamic inference_limit/1.
 inference_limit(1 000 000).
@@ -32,7 +34,18 @@ set_inference_limit(Limit) :-
 %   counting, so that a swallowed limit does not look like failure.
 
 guarded(Predicate, Goal) :-
-    inference_limit(Limit),
+    guarded(Predicate, 0, Goal).
+
+%!  guarded(+Predicate, +Asked, :Goal) is semidet.
+%
+%   The same for a goal that asks so many things. The limit is for a hundred things that are asked and facts that hold
+%   together, and grows with them beyond.
+
+guarded(Predicate, Asked, Goal) :-
+    inference_limit(Least),
+    Predicate = Module:_,
+    facts(Module, Facts),
+    Limit is Least*max(100, Asked+Facts)//100,
     statistics(inferences, Before),
     (   catch(call_with_inference_limit(Goal, Limit, Result), Error, note_abort(Error, Predicate, Limit, Before))
     ->  true
@@ -102,16 +115,41 @@ keeps_limit(Frame) :-
         prolog_frame_attribute(Parent, predicate_indicator, _:call_with_inference_limit/3)
     ).
 
-%!  forbid_halt(+Module) is det.
+%!  tame(+Module) is det.
 %
-%   Makes halt/0 and halt/1 throw where code of the module calls them.
+%   Makes halt/0 and halt/1 throw where code of the module calls them, and a cleanup end where one loops.
 
-forbid_halt(Module) :-
-    forall(member(Head, [halt, halt(_)]),
+tame(Module) :-
+    forall(tamed(Head, Body),
            ( functor(Head, Name, Arity),
              redefine_system_predicate(Module:Head),
-             assertz((Module:Head :- throw(nppg_halt))),
+             assertz((Module:Head :- Body)),
              compile_predicates([Module:Name/Arity]) )).
+
+tamed(halt, throw(nppg_halt)).
+tamed(halt(_), throw(nppg_halt)).
+tamed(setup_call_cleanup(Setup, Goal, Cleanup), ( once(Setup), nppg_guard:cleaned(Goal, Cleanup) )).
+tamed(call_cleanup(Goal, Cleanup), nppg_guard:cleaned(Goal, Cleanup)).
+
+%   once(Goal), then Cleanup. Prolog's own cleanups cannot be stopped: where the limit has stopped Goal, there is none.
+
+:- meta_predicate cleaned(0, 0).
+
+cleaned(Goal, Cleanup) :-
+    (   catch(Goal, Error, true)
+    ->  true
+    ;   Failed = true
+    ),
+    (   nonvar(Error), ( Error == '$aborted' ; functor(Error, inference_limit_exceeded, _) )
+    ->  throw(Error)
+    ;   ignore(catch(Cleanup, Late, true)),
+        (   nonvar(Error)
+        ->  throw(Error)
+        ;   nonvar(Late)
+        ->  throw(Late)
+        ;   var(Failed)
+        )
+    ).
 
 %   Where other code calls them for a domain they fail, and the question is answered by a fault. Prolog allows
 %   that ten times.
@@ -120,7 +158,7 @@ forbid_halt(Module) :-
 
 refuse_halt :-
     prolog_current_frame(Frame),
-    (   prolog_frame_attribute(Frame, parent_goal, nppg_guard:guarded(Predicate, _))
+    (   prolog_frame_attribute(Frame, parent_goal, nppg_guard:guarded(Predicate, _, _))
     ->  stop_for(nppg_fault(Predicate, 'called halt/0'-[])),
         cancel_halt(nppg)
     ;   prolog_frame_attribute(Frame, parent_goal, nppg_loading:load_domain(File, _, _, _))

@@ -1,6 +1,7 @@
 :- module(nppg_interpretation,
           [ interpret/2,         % +Module, +Facts       det
             interpretation/2,    % +Module, -Facts       det
+            facts/2,             % +Module, -Count       det
             change/3,            % +Module, +Delete, +Add  det
             tampered/1,          % +Module               semidet
             forget_tables/1,     % +Module               det
@@ -17,13 +18,21 @@ another state current touches only the facts in which the two differ.
 */
 
 :- dynamic
-    current/2,                   % Module, Facts
+    current/3,                   % Module, Facts, their number
     tabling/1.                   % Module: its tables hold for one interpretation only
 
 interpretation(Module, Facts) :-
-    (   current(Module, Current)
+    (   current(Module, Current, _)
     ->  Facts = Current
     ;   Facts = []
+    ).
+
+%!  facts(+Module, -Count) is det: how many facts hold.
+
+facts(Module, Count) :-
+    (   current(Module, _, Known)
+    ->  Count = Known
+    ;   Count = 0
     ).
 
 interpret(Module, Facts) :-
@@ -32,8 +41,9 @@ interpret(Module, Facts) :-
     ord_subtract(Facts, Old, New),
     retract_all(Gone, Module),
     assertz_all(New, Module),
-    retractall(current(Module, _)),
-    assertz(current(Module, Facts)),
+    length(Facts, Count),
+    retractall(current(Module, _, _)),
+    assertz(current(Module, Facts, Count)),
     (   tabling(Module)
     ->  abolish_module_tables(Module)
     ;   true
@@ -82,4 +92,4 @@ forget_tables(Module) :-
 
 forget(Module) :-
     retractall(tabling(Module)),
-    retractall(current(Module, _)).
+    retractall(current(Module, _, _)).

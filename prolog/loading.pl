@@ -79,8 +79,14 @@ module_name(File, Name) :-
     ;   throw(nppg_problems([-(File, 1, 0, 'a domain starts with :- module(Name, []).')]))
     ).
 
+%   Behind :- encoding(Encoding), which may come before.
+
 first_term(In, Term) :-
-    catch(read(In, Term), error(syntax_error(_), _), Term = none).
+    catch(read(In, First), error(syntax_error(_), _), First = none),
+    (   nonvar(First), First = (:- encoding(_))
+    ->  first_term(In, Term)
+    ;   Term = First
+    ).
 
 %   Directives and term expansions may loop, too.
 

@@ -5,10 +5,11 @@
             rows/4               % +Table, +Actions, -Kinds, -Words           det
           ]).
 
+:- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [exclude/3, foldl/4]).
 :- use_module(library(lists), [append/3, member/2, memberchk/2, nth0/3]).
 :- use_module(blame).
-:- use_module(guard, [guarded/2]).
+:- use_module(guard, [guarded/3]).
 :- use_module(layout).
 :- use_module(test_clauses, [word_clause/4]).
 
@@ -92,9 +93,19 @@ rows(Table, Actions, Kinds, Words) :-
     kinds_and_roots(Actions, Table, GoalValues, Kinds, AllRoots),
     layout(Table, Module, _, _),
     sort(Kinds, Present),
-    catch(guarded(Module:test/0, kind_words(Present, Kinds, AllRoots, Table, Words, [])),
+    asked(Present, Table, Actions, Asked),
+    catch(guarded(Module:test/0, Asked, kind_words(Present, Kinds, AllRoots, Table, Words, [])),
           nppg_fault(_, Fault),
           blame_table(Table, Kinds, AllRoots, Fault)).
+
+%   At most so many answers: those of 60 tests a word.
+
+asked(Kinds, Table, Actions, Asked) :-
+    aggregate_all(max(Count), ( member(Kind, Kinds), words(Table, Kind, Words), length(Words, Count) ), Most),
+    !,
+    length(Actions, Length),
+    Asked is 60*Most*Length.
+asked(_, _, _, 0).
 
 kinds_and_roots([], _, _, [], []).
 kinds_and_roots([Action|Actions], Table, GoalValues, [Kind|Kinds], [Roots|AllRoots]) :-

@@ -8,11 +8,14 @@ import subprocess
 import sys
 from pathlib import Path
 
+import janus_swi
 import numpy as np
 import pytest
 
 import nppg.bridge.prolog
 from nppg import Domain, LanguageBias, NppgError, Options, Policy, train
+from nppg.answers.coverage import root_table
+from nppg.bias.refinement import Refiner
 
 PARTS = {
     "head": ":- module(walk, []).\n:- fluent at/1.\n",
@@ -157,7 +160,14 @@ LOADING = {
         text(more="user:term_expansion(a, b).\n"),
         "10: expansion in module user would change other",
     ),
-    "redefinition": (text(more="atom_length(a, b).\n"), "10: No permission to modify static procedure `atom_length/2'"),
+    "redefinition": (
+        text(more="atom_length(a, b).\n"),
+        "10: atom_length/2 is built into Prolog and cannot be defined anew: choose another name",
+    ),
+    "built-in fluent": (
+        text(more=":- fluent length/2.\n"),
+        "10: length/2 is built into Prolog and can be no fluent: choose",
+    ),
 }
 
 
@@ -530,3 +540,63 @@ def test_models_that_cannot_be_read(tmp_path: Path, model: Path) -> None:
     model.write_bytes(b"\xff\xfe" + model.read_bytes())
     with pytest.raises(NppgError):
         Policy.load(model)
+
+
+CLEANUPS = {
+    "loops": "setup_call_cleanup(true, true, (repeat, fail))",
+    "loops behind a loop": "setup_call_cleanup(true, (repeat, fail), (repeat, fail))",
+    "without a setup": "call_cleanup((repeat, fail), (repeat, fail))",
+}
+
+
+@pytest.mark.parametrize("body", CLEANUPS.values(), ids=CLEANUPS)
+def test_a_cleanup_that_loops_ends(tmp_path: Path, body: str) -> None:
+    assert "goal/0 took more than 1,000,000 inferences" in problem(tmp_path, text(goal=f"goal :- {body}.\n"))
+
+
+def test_a_cleanup_cleans(tmp_path: Path) -> None:
+    cleaned = "(nb_getval(times, N), M is N + 1, nb_setval(times, M))"
+    goal = f"goal :- nb_setval(times, 0), call_cleanup(fail, {cleaned}).\n"
+    goal += f"goal :- catch(setup_call_cleanup(true, throw(up), {cleaned}), up, true), nb_getval(times, 2), at(0).\n"
+    (tmp_path / "walk.pl").write_text(text(goal=goal))
+    domain = Domain(tmp_path / "walk.pl")
+    assert domain.situation(domain.state("at(0)")).status == "goal"
+    assert domain.situation(domain.state("at(1)")).status == "running"
+
+
+def test_an_encoding_may_come_first(tmp_path: Path) -> None:
+    file = tmp_path / "walk.pl"
+    file.write_text(":- encoding(utf8).\n" + text(goal="goal :- at(0), atom_length('ü', 1).\n"), encoding="utf-8")
+    domain = Domain(file)
+    assert domain.situation(domain.state("at(0)")).status == "goal"
+
+
+def test_many_facts_and_many_questions_are_no_loop(tmp_path: Path) -> None:
+    """Each of the actions goes through all facts."""
+    size = 1500
+    (tmp_path / "walk.pl").write_text(
+        ":- module(walk, []).\n:- fluent at/1.\n"
+        f"start(Facts) :- findall(at(X), between(1, {size}, X), Facts).\n"
+        "action(go(X)) :- at(X).\neffect(go(X), [at(X)], []).\ngoal :- \\+ at(_).\n"
+        "alone(X) :- \\+ ( at(Y), Y =\\= X, Y mod 10000 =:= X ).\n"
+    )
+    (tmp_path / "walk.yaml").write_text("action: go(+spot)\ntypes: {alone: [spot]}\nmodes: [alone(+spot)]\n")
+    domain = Domain(tmp_path / "walk.pl")
+    state = domain.start(np.random.default_rng(0))
+    actions = domain.situation(state).actions
+    bias = LanguageBias.load(tmp_path / "walk.yaml")
+    answers = root_table(domain, bias, Refiner(bias)).answers(state, actions)
+    assert answers.shape == (size, 1) and answers.all()
+
+
+def test_a_domain_is_the_same_whatever_else_has_been_loaded(tmp_path: Path) -> None:
+    said = problem(tmp_path, text(goal="goal :- X is foo + 1, X > 0.\n"))
+    janus_swi.query_once("use_module(library(arithmetic))")
+    assert said == problem(tmp_path, text(goal="goal :- X is foo + 1, X > 0.\n"))
+    (tmp_path / "own.pl").write_text(
+        ":- module(own, []).\n:- use_module(library(arithmetic)).\n:- arithmetic_function(double/1).\n"
+        "double(X, Y) :- Y is 2 * X.\n:- fluent at/1.\nstart([at(1)]).\naction(go).\n"
+        "effect(go, [at(X)], [at(Y)]) :- at(X), Y is double(X).\ngoal :- at(2).\n"
+    )
+    own = Domain(tmp_path / "own.pl")
+    assert own.neighbours(own.state("at(1)"))[0][1][0].state == (("at", 2),)

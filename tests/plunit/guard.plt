@@ -24,11 +24,11 @@ test(all, Answers == [1, 2]) :-
 test(none, Answers == []) :-
     guarded_findall(_, m:p/1, fail, Answers).
 test(halt, throws(nppg_halt)) :-
-    forbid_halt(guarded),
+    tame(guarded),
     assertz(guarded:(stop :- halt)),
     call(guarded:stop).
 test(halt_1, throws(nppg_halt)) :-
-    forbid_halt(more_guarded),
+    tame(more_guarded),
     assertz(more_guarded:(stop :- halt(1))),
     call(more_guarded:stop).
 test(nothing_stopped, fail) :-
