@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import fields, replace
+from dataclasses import Field, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +18,8 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bias.modes import MODE_KEYS
 from nppg.bias.reader import KEYS, REQUIRED
 from nppg.errors import NppgError, Problem
+from nppg.experiments.learners import LEARNERS, option_problems
+from nppg.learning.options import kind_of
 from nppg.logic.query import OPEN
 
 SHIPPED = Path(__file__).parent.parent / "language_bias"
@@ -103,6 +105,23 @@ def test_sentences() -> None:
     bias = read(text)
     assert valid(text) and bias.sentences == {"move": "put {1} on {2}", "clear": "nothing is on {1}"}
     assert read(HEAD + "modes: [clear(+)]\n").sentences == {}
+
+
+def test_options() -> None:
+    """Numbers are numbers, all else is text; which options there are is not the reader's business."""
+    text = MINIMAL + "options:\n  step: second-order\n  normalise: yes\n  critic: no\n  a: 'on'\n  discount: 0.9\n"
+    bias = read(text + "  min_examples: 500\n  clip: 1e-3\n")
+    assert bias.options == {
+        "step": "second-order",
+        "normalise": "yes",
+        "critic": "no",
+        "a": "on",
+        "discount": 0.9,
+        "min_examples": 500,
+        "clip": 0.001,
+    }
+    assert bias.option_places["a"] == ((8, 3), (8, 7))
+    assert read(MINIMAL).options == {} and read(MINIMAL + "options: {}\n").options == {}
 
 
 def test_names_that_yaml_takes_for_truth_values() -> None:
@@ -253,6 +272,15 @@ CUT = "but the literal ends here: YAML ends a text at ' #', and inside { } or [ 
             [f"1:13: ',' or ')' is wanted, {CUT}", "4:33: {2} stands for no argument of p(x)"],
         ),
         (MINIMAL + "tree: {max_depth: [1]}\n", ["4:19: max_depth is a number, not a list"]),
+        (MINIMAL + "options: second-order\n", ["4:10: options is a mapping (key: value), not 'second-order'"]),
+        (
+            MINIMAL + "options: {step: [gradient], seed: , seed: 1}\n",
+            [
+                "4:17: a value of step is wanted, not a list",
+                "4:34: a value of seed is wanted, not nothing",
+                "4:37: the key 'seed' is given twice (first on line 4)",
+            ],
+        ),
     ],
 )
 def test_mistakes_in_the_file(text: str, expected: list[str]) -> None:
@@ -443,6 +471,7 @@ def test_shipped_files(path: Path) -> None:
     assert text.startswith("# yaml-language-server: $schema=schema.json\n") and valid(text)
     bias = LanguageBias.load(path)
     assert set(bias.sentences) == (set(bias.types) if path.name not in ABLATED else set())
+    assert option_problems(bias) == []
     if not path.name.startswith("blocks_world"):
         return
     assert bias.roots == ("block", "place", "block", "block")
@@ -470,6 +499,28 @@ def test_the_schema_knows_the_same_keys_and_defaults() -> None:
     assert properties["max_variables"]["default"] == bias.max_variables
 
 
+def test_the_schema_knows_the_options_of_all_learners() -> None:
+    """With their kinds and bounds, which are the same for every learner that has an option."""
+
+    def said(option: Field) -> dict[str, Any]:
+        help, bounds = option.metadata["help"], option.metadata
+        head = {"description": f"{help[0].upper()}{help[1:]}."}
+        if "choices" in bounds:
+            return head | {"enum": list(bounds["choices"])}
+        most = {"maximum": bounds["high"]} if "high" in bounds else {}
+        return head | {"type": "integer" if kind_of(option) is int else "number", "minimum": bounds["low"]} | most
+
+    section = dict(SCHEMA["properties"]["options"]["properties"])
+    assert section.pop("learner")["enum"] == list(LEARNERS)
+    every = [each for kind in LEARNERS.values() for each in fields(kind)]
+    assert section.keys() == {each.name for each in every}
+    for each in every:
+        expected = said(each)
+        if each.name == "discount":  # gamma of returns, gamma of Q
+            expected["description"] = section["discount"]["description"]
+        assert section[each.name] == expected
+
+
 @pytest.mark.parametrize(
     "text",
     [
@@ -483,6 +534,7 @@ def test_the_schema_knows_the_same_keys_and_defaults() -> None:
         MINIMAL.replace("[p(+)]", "[]"),
         MINIMAL.replace("[p(+)]", "[{lookahead: 0}]"),
         MINIMAL.replace("[x],", "x,"),
+        MINIMAL + "options: {seed: [1]}\n",
         MINIMAL + "sentences: {p: [a]}\n",
         MINIMAL + "sentences: {p: '{1} {x}'}\n",
         MINIMAL + "sentences: {p: '{1} }'}\n",
