@@ -135,6 +135,25 @@ def test_anchors() -> None:
     assert bias.types["q"] == ("x", "x") and (bias.modes[0].line, bias.modes[0].column) == (4, 8)
 
 
+def test_a_comma_between_brackets_is_part_of_its_literal() -> None:
+    """In a list and in a mapping, on several lines, behind an anchor."""
+    bias = read(
+        "action: [pick(+x, +y), drop]\ntypes: {p: [x, y], q: [x, y, x]}\n"
+        "modes: [p(+, -), {literal: q(+, -, +), lookahead: 1}, p(+, a),\n"
+        "  q(+,  # the first\n    +, +), &q q(+, -, -)]\nlookahead: 1\n"
+    )
+    assert list(map(str, bias.actions)) == ["pick(x, y)", "drop"]
+    assert [(str(mode), mode.lookahead, mode.line, mode.column) for mode in bias.modes] == [
+        ("p(+x, -y)", 0, 3, 9),
+        ("q(+x, -y, +x)", 1, 3, 28),
+        ("p(+x, a)", 0, 3, 55),
+        ("q(+x, +y, +x)", 0, 4, 3),
+        ("q(+x, -y, -x)", 0, 5, 15),
+    ]
+    with pytest.raises(NppgError):
+        read("action: go(+x)\ntypes: {p: [x, x]}\nmodes: [&a p(+, *a, +)]\n")
+
+
 def test_fits_is_strict_and_transitive() -> None:
     bias = read("action: go(+a)\nsubtypes: {a: b, b: c}\ntypes: {p: [c]}\nmodes: [p(+)]\n")
     assert bias.fits("a", "a") and bias.fits("a", "c")
@@ -147,7 +166,7 @@ def test_fits_is_strict_and_transitive() -> None:
 MINIMAL = "action: go(+x)\ntypes: {p: [x], q: [x, x]}\nmodes: [p(+)]\n"
 PLACEHOLDER_WANTED = "a placeholder is the number of an argument in braces, like {1}, not"
 SENTENCE_WANTED = 'a sentence like "{1} is clear", in quotes, is wanted, not'
-CUT = "but the literal ends here: YAML ends a text at ' #', and inside { } or [ ] at a comma, unless it is in quotes"
+CUT = "but the literal ends here: YAML ends a text at ' #', unless it is in quotes"
 
 
 @pytest.mark.parametrize(
@@ -186,6 +205,21 @@ CUT = "but the literal ends here: YAML ends a text at ' #', and inside { } or [ 
         (
             MINIMAL + "goal: on\n",
             ["4:7: the goal is a template with arguments, like goal_on(-block, -block), not 'on'"],
+        ),
+        (
+            MINIMAL.replace("go(+x)", "go"),
+            [
+                "1:9: the action is a template with arguments, like move(+block, +place), not 'go': an action without "
+                "arguments stands in a list, [go]"
+            ],
+        ),
+        (
+            MINIMAL.replace("go(+x)", "[go(+x, +x), pick(+x, +y)]").replace("[p(+)]", "[p(+), q(+, 7 7), q(+, -]"),
+            [
+                "1:32: the type 'y' is used nowhere else",
+                "3:22: ',' or ')' is wanted, not '7'",
+                f"3:32: ',' or ')' is wanted, {CUT}",
+            ],
         ),
         (MINIMAL + "goal: g(+x)\n", ["4:9: an argument of the goal is - and a type, like -block, not +x"]),
         (MINIMAL + "goal: p(-x, -x)\n", ["4:7: p takes 1 argument, p(x), not 2"]),
@@ -355,7 +389,8 @@ NO_LITERAL = "a literal like on(+block, -block) is wanted, not"
         ("{literal: clear(+), lookahead: on}", "9:36: lookahead is a whole number of at least 0, not 'on'"),
         ("{literal: clear(+), lookahed: 0}", "9:25: unknown key 'lookahed' (did you mean 'lookahead'?)"),
         ("{lookahead: 0}", "9:5: the key 'literal' is missing"),
-        ("{literal: on(+, -), lookahead: 0}", f"9:19: ',' or ')' is wanted, {CUT}"),
+        ("{literal: on(+, -, lookahead: 0}", f"9:22: ',' or ')' is wanted, {CUT}"),
+        ("{literal: on(+, + +), lookahead: 0}", "9:23: ',' or ')' is wanted, not '+'"),
     ],
 )
 def test_mistakes_in_a_mode(text: str, expected: str) -> None:
