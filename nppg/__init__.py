@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from nppg.bias.language_bias import LanguageBias as LanguageBias
     from nppg.errors import NppgError as NppgError
+    from nppg.experiments.learners import options_of as options_of
     from nppg.experiments.runs import run as run
     from nppg.experiments.train import train as train
     from nppg.judging import optimum as optimum
@@ -50,6 +51,7 @@ _HOME = {
     "language_bias_of": "nppg.worlds.opening",
     "open_domain": "nppg.worlds.opening",
     "optimum": "nppg.judging",
+    "options_of": "nppg.experiments.learners",
     "prove": "nppg.rules.proof",
     "run": "nppg.experiments.runs",
     "tilde": "nppg.trees",

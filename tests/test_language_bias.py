@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import fields, replace
+from dataclasses import Field, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +18,8 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bias.modes import MODE_KEYS
 from nppg.bias.reader import KEYS, REQUIRED
 from nppg.errors import NppgError, Problem
+from nppg.experiments.learners import LEARNERS, option_problems
+from nppg.learning.options import kind_of
 from nppg.logic.query import OPEN
 
 SHIPPED = Path(__file__).parent.parent / "language_bias"
@@ -105,6 +107,23 @@ def test_sentences() -> None:
     assert read(HEAD + "modes: [clear(+)]\n").sentences == {}
 
 
+def test_options() -> None:
+    """Numbers are numbers, all else is text; which options there are is not the reader's business."""
+    text = MINIMAL + "options:\n  step: second-order\n  normalise: yes\n  critic: no\n  a: 'on'\n  discount: 0.9\n"
+    bias = read(text + "  min_examples: 500\n  clip: 1e-3\n")
+    assert bias.options == {
+        "step": "second-order",
+        "normalise": "yes",
+        "critic": "no",
+        "a": "on",
+        "discount": 0.9,
+        "min_examples": 500,
+        "clip": 0.001,
+    }
+    assert bias.option_places["a"] == ((8, 3), (8, 7))
+    assert read(MINIMAL).options == {} and read(MINIMAL + "options: {}\n").options == {}
+
+
 def test_names_that_yaml_takes_for_truth_values() -> None:
     bias = read("action: yes(+no)\ntypes: {on: [no, off], off: []}\nmodes:\n  - on(+no, [yes, true])\n  - off\n")
     assert bias.types == {"on": ("no", "off"), "off": (), "yes": ("no",)}
@@ -114,6 +133,25 @@ def test_names_that_yaml_takes_for_truth_values() -> None:
 def test_anchors() -> None:
     bias = read("action: go(+x)\ntypes: {p: &t [x, x], q: *t}\nmodes:\n  - &m p(+, -)\n  - q(+, +)\n")
     assert bias.types["q"] == ("x", "x") and (bias.modes[0].line, bias.modes[0].column) == (4, 8)
+
+
+def test_a_comma_between_brackets_is_part_of_its_literal() -> None:
+    """In a list and in a mapping, on several lines, behind an anchor."""
+    bias = read(
+        "action: [pick(+x, +y), drop]\ntypes: {p: [x, y], q: [x, y, x]}\n"
+        "modes: [p(+, -), {literal: q(+, -, +), lookahead: 1}, p(+, a),\n"
+        "  q(+,  # the first\n    +, +), &q q(+, -, -)]\nlookahead: 1\n"
+    )
+    assert list(map(str, bias.actions)) == ["pick(x, y)", "drop"]
+    assert [(str(mode), mode.lookahead, mode.line, mode.column) for mode in bias.modes] == [
+        ("p(+x, -y)", 0, 3, 9),
+        ("q(+x, -y, +x)", 1, 3, 28),
+        ("p(+x, a)", 0, 3, 55),
+        ("q(+x, +y, +x)", 0, 4, 3),
+        ("q(+x, -y, -x)", 0, 5, 15),
+    ]
+    with pytest.raises(NppgError):
+        read("action: go(+x)\ntypes: {p: [x, x]}\nmodes: [&a p(+, *a, +)]\n")
 
 
 def test_fits_is_strict_and_transitive() -> None:
@@ -128,7 +166,7 @@ def test_fits_is_strict_and_transitive() -> None:
 MINIMAL = "action: go(+x)\ntypes: {p: [x], q: [x, x]}\nmodes: [p(+)]\n"
 PLACEHOLDER_WANTED = "a placeholder is the number of an argument in braces, like {1}, not"
 SENTENCE_WANTED = 'a sentence like "{1} is clear", in quotes, is wanted, not'
-CUT = "but the literal ends here: YAML ends a text at ' #', and inside { } or [ ] at a comma, unless it is in quotes"
+CUT = "but the literal ends here: YAML ends a text at ' #', unless it is in quotes"
 
 
 @pytest.mark.parametrize(
@@ -167,6 +205,21 @@ CUT = "but the literal ends here: YAML ends a text at ' #', and inside { } or [ 
         (
             MINIMAL + "goal: on\n",
             ["4:7: the goal is a template with arguments, like goal_on(-block, -block), not 'on'"],
+        ),
+        (
+            MINIMAL.replace("go(+x)", "go"),
+            [
+                "1:9: the action is a template with arguments, like move(+block, +place), not 'go': an action without "
+                "arguments stands in a list, [go]"
+            ],
+        ),
+        (
+            MINIMAL.replace("go(+x)", "[go(+x, +x), pick(+x, +y)]").replace("[p(+)]", "[p(+), q(+, 7 7), q(+, -]"),
+            [
+                "1:32: the type 'y' is used nowhere else",
+                "3:22: ',' or ')' is wanted, not '7'",
+                f"3:32: ',' or ')' is wanted, {CUT}",
+            ],
         ),
         (MINIMAL + "goal: g(+x)\n", ["4:9: an argument of the goal is - and a type, like -block, not +x"]),
         (MINIMAL + "goal: p(-x, -x)\n", ["4:7: p takes 1 argument, p(x), not 2"]),
@@ -253,6 +306,15 @@ CUT = "but the literal ends here: YAML ends a text at ' #', and inside { } or [ 
             [f"1:13: ',' or ')' is wanted, {CUT}", "4:33: {2} stands for no argument of p(x)"],
         ),
         (MINIMAL + "tree: {max_depth: [1]}\n", ["4:19: max_depth is a number, not a list"]),
+        (MINIMAL + "options: second-order\n", ["4:10: options is a mapping (key: value), not 'second-order'"]),
+        (
+            MINIMAL + "options: {step: [gradient], seed: , seed: 1}\n",
+            [
+                "4:17: a value of step is wanted, not a list",
+                "4:34: a value of seed is wanted, not nothing",
+                "4:37: the key 'seed' is given twice (first on line 4)",
+            ],
+        ),
     ],
 )
 def test_mistakes_in_the_file(text: str, expected: list[str]) -> None:
@@ -327,7 +389,8 @@ NO_LITERAL = "a literal like on(+block, -block) is wanted, not"
         ("{literal: clear(+), lookahead: on}", "9:36: lookahead is a whole number of at least 0, not 'on'"),
         ("{literal: clear(+), lookahed: 0}", "9:25: unknown key 'lookahed' (did you mean 'lookahead'?)"),
         ("{lookahead: 0}", "9:5: the key 'literal' is missing"),
-        ("{literal: on(+, -), lookahead: 0}", f"9:19: ',' or ')' is wanted, {CUT}"),
+        ("{literal: on(+, -, lookahead: 0}", f"9:22: ',' or ')' is wanted, {CUT}"),
+        ("{literal: on(+, + +), lookahead: 0}", "9:23: ',' or ')' is wanted, not '+'"),
     ],
 )
 def test_mistakes_in_a_mode(text: str, expected: str) -> None:
@@ -443,6 +506,7 @@ def test_shipped_files(path: Path) -> None:
     assert text.startswith("# yaml-language-server: $schema=schema.json\n") and valid(text)
     bias = LanguageBias.load(path)
     assert set(bias.sentences) == (set(bias.types) if path.name not in ABLATED else set())
+    assert option_problems(bias) == []
     if not path.name.startswith("blocks_world"):
         return
     assert bias.roots == ("block", "place", "block", "block")
@@ -470,6 +534,28 @@ def test_the_schema_knows_the_same_keys_and_defaults() -> None:
     assert properties["max_variables"]["default"] == bias.max_variables
 
 
+def test_the_schema_knows_the_options_of_all_learners() -> None:
+    """With their kinds and bounds, which are the same for every learner that has an option."""
+
+    def said(option: Field) -> dict[str, Any]:
+        help, bounds = option.metadata["help"], option.metadata
+        head = {"description": f"{help[0].upper()}{help[1:]}."}
+        if "choices" in bounds:
+            return head | {"enum": list(bounds["choices"])}
+        most = {"maximum": bounds["high"]} if "high" in bounds else {}
+        return head | {"type": "integer" if kind_of(option) is int else "number", "minimum": bounds["low"]} | most
+
+    section = dict(SCHEMA["properties"]["options"]["properties"])
+    assert section.pop("learner")["enum"] == list(LEARNERS)
+    every = [each for kind in LEARNERS.values() for each in fields(kind)]
+    assert section.keys() == {each.name for each in every}
+    for each in every:
+        expected = said(each)
+        if each.name == "discount":  # gamma of returns, gamma of Q
+            expected["description"] = section["discount"]["description"]
+        assert section[each.name] == expected
+
+
 @pytest.mark.parametrize(
     "text",
     [
@@ -483,6 +569,7 @@ def test_the_schema_knows_the_same_keys_and_defaults() -> None:
         MINIMAL.replace("[p(+)]", "[]"),
         MINIMAL.replace("[p(+)]", "[{lookahead: 0}]"),
         MINIMAL.replace("[x],", "x,"),
+        MINIMAL + "options: {seed: [1]}\n",
         MINIMAL + "sentences: {p: [a]}\n",
         MINIMAL + "sentences: {p: '{1} {x}'}\n",
         MINIMAL + "sentences: {p: '{1} }'}\n",

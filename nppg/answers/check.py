@@ -18,20 +18,24 @@ _EXPERT_STEPS = 30
 
 
 def check(
-    load_domain: Callable[[], Domain], load_bias: Callable[[Domain | None], LanguageBias | None]
+    load_domain: Callable[[], Domain],
+    load_bias: Callable[[Domain | None], LanguageBias | None],
+    check_bias: Callable[[LanguageBias], list[Problem]] = lambda bias: [],
 ) -> tuple[list[Problem], str]:
     """The problems of both files and of their fit, and a summary for where there are none. `load_bias` is given the
-    domain, where that could be loaded.
+    domain, where that could be loaded; `check_bias` finds what else is wrong with the bias.
 
     Where the files are sound, all predicates are tried in some random episodes, and all tests of the bias.
     """
     domain, problems = _loaded(load_domain)
     bias, more = _loaded(lambda: load_bias(domain))
     problems = list(dict.fromkeys([*problems, *more]))  # both may find that there is no such file
+    more = check_bias(bias) if bias else []
     if domain and bias and not problems:
-        problems = bias.check(domain.predicates, domain.actions)
-        if not problems:
-            problems = list(_tried(domain, bias))
+        more = sorted([*more, *bias.check(domain.predicates, domain.actions)])
+        problems = more or list(_tried(domain, bias))
+    else:
+        problems += more
     return problems, _summary(domain, bias) if domain and bias else ""
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from nppg.bias.names import atom, written
 from nppg.errors import NppgError, Problem
@@ -82,6 +83,13 @@ class TreeLimits:
             raise NppgError(Problem("", 0, 0, message) for message in wrong)
 
 
+class OptionPlaces(NamedTuple):
+    """Line and column of an option's name and of its value."""
+
+    name: tuple[int, int] = (0, 0)
+    value: tuple[int, int] = (0, 0)
+
+
 @dataclass(frozen=True)
 class Declared:
     """The contents of one bias file."""
@@ -96,6 +104,8 @@ class Declared:
     max_variables: int  # existential variables in one query
     tree: TreeLimits
     sentences: Mapping[str, str] = field(default_factory=dict)  # predicate -> its literals in plain English
+    options: Mapping[str, Constant] = field(default_factory=dict)  # of learners, which say what they may be
+    option_places: Mapping[str, OptionPlaces] = field(default_factory=dict, compare=False, repr=False)
 
 
 def upwards(subtypes: Mapping[str, str], type_: str) -> list[str]:

@@ -159,7 +159,7 @@ class _Parser:
     def unexpected(self, wanted: str) -> Mistake:
         if self.next.kind != "end":
             return Mistake(self.next.offset, f"{wanted} is wanted, not {self.next.text!r}")
-        hint = ": YAML ends a text at ' #', and inside { } or [ ] at a comma, unless it is in quotes"
+        hint = ": YAML ends a text at ' #', unless it is in quotes"
         return Mistake(self.next.offset, f"{wanted} is wanted, but the literal ends here{hint}")
 
 

@@ -25,7 +25,7 @@ def modes(document: Document, signatures: Signatures, node: yaml.Node | None, ma
     for each in nodes or ():
         literal, lookahead = each, 0
         if isinstance(each, yaml.MappingNode):
-            entries = document.mapping(each, "a mode", () if _is_cut(each) else MODE_KEYS)
+            entries = document.mapping(each, "a mode", MODE_KEYS)
             if "literal" not in entries:
                 document.report(each, "the key 'literal' is missing")
                 continue
@@ -41,14 +41,6 @@ def modes(document: Document, signatures: Signatures, node: yaml.Node | None, ma
             if earlier is not mode:
                 document.report(literal, f"the mode {mode} is given twice (first on line {earlier.line})")
     return tuple(found.values())
-
-
-def _is_cut(node: yaml.MappingNode) -> bool:
-    """Whether a comma inside { } has cut a literal in two; then its second half is not worth a report."""
-    return any(
-        isinstance(value, yaml.ScalarNode) and value.value.count("(") > value.value.count(")")
-        for _, value in node.value
-    )
 
 
 def _mode(document: Document, signatures: Signatures, node: yaml.Node, parsed: Parsed, lookahead: int) -> Mode | None:

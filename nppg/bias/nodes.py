@@ -6,7 +6,8 @@ become True, and its line and column, so that every mistake can be located.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+import re
+from collections.abc import Collection, Sequence
 
 import yaml
 
@@ -67,7 +68,7 @@ class Document:
             return {}
         entries: dict[str, yaml.Node] = {}
         first: dict[str, int] = {}
-        for key_node, value in node.value:
+        for key_node, value in self._joined(node.value) if node.flow_style else node.value:
             key = self.text(key_node, "a key")
             if key is None:
                 continue
@@ -82,9 +83,36 @@ class Document:
 
     def items(self, node: yaml.Node, what: str) -> list[yaml.Node] | None:
         if isinstance(node, yaml.SequenceNode):
-            return list(node.value)
+            pairs = [(each, each) for each in node.value]
+            return [each for _, each in self._joined(pairs)] if node.flow_style else list(node.value)
         self.report(node, f"{what}, not {described(node)}")
         return None
+
+    def _joined(self, pairs: Sequence[tuple[yaml.Node, yaml.Node]]) -> list[tuple[yaml.Node, yaml.Node]]:
+        """What stands inside { }, where a comma ends a text, with the pieces of a literal put together up to its last
+        bracket: all but the first are keys without a value. What stands inside [ ] is its own key."""
+        found: list[tuple[yaml.Node, yaml.Node]] = []
+        for key, value in pairs:
+            is_piece = found and (key is value or described(value) == "nothing")
+            whole = self._span(found[-1][1], key) if is_piece else None
+            if whole:
+                found[-1] = (found[-1][0], whole)
+            else:
+                found.append((key, value))
+        return found
+
+    def _span(self, first: yaml.Node, last: yaml.Node) -> yaml.Node | None:
+        """Both as one text, if the first has a bracket that is yet to be closed and the last comes after its comma."""
+        if not (_is_plain(first) and _is_plain(last) and first.value.count("(") > first.value.count(")")):
+            return None
+        between = self.source[first.end_mark.index : last.start_mark.index]
+        if re.sub("#.*", "", between).strip() != ",":  # one of them is an alias, and stands elsewhere
+            return None
+        start = max(self.source.find(first.value, first.start_mark.index), first.start_mark.index)  # behind an anchor
+        text = self.source[start : last.end_mark.index]
+        if "\n" in text:
+            text = f"{first.value}, {last.value}"
+        return yaml.ScalarNode(first.tag, text, first.start_mark, last.end_mark)
 
     def text(self, node: yaml.Node, what: str) -> str | None:
         if not isinstance(node, yaml.ScalarNode) or not node.value.strip():
@@ -123,6 +151,11 @@ class Document:
             return value
         self.report(node, f"{key} is a whole number of at least 0, not {described(node)}")
         return otherwise
+
+
+def _is_plain(node: yaml.Node) -> bool:
+    """Whether it is a text without quotes."""
+    return isinstance(node, yaml.ScalarNode) and not node.style
 
 
 def described(node: yaml.Node) -> str:

@@ -10,12 +10,13 @@ import yaml
 from nppg.bias.declarations import Declared, TreeLimits
 from nppg.bias.modes import modes
 from nppg.bias.nodes import Document, described, number
+from nppg.bias.options import options
 from nppg.bias.sentences import sentences
 from nppg.bias.signatures import Signatures
 from nppg.bias.templates import actions, goal
 from nppg.errors import NppgError
 
-KEYS = ("action", "goal", "subtypes", "types", "modes", "lookahead", "max_variables", "tree", "sentences")
+KEYS = ("action", "goal", "subtypes", "types", "modes", "lookahead", "max_variables", "tree", "options", "sentences")
 REQUIRED = ("action", "types", "modes")
 
 
@@ -37,6 +38,7 @@ def read(file: str, text: str) -> Declared:
     max_variables = document.whole(entries.get("max_variables"), "max_variables", 4)
     found = modes(document, signatures, entries.get("modes"), max_lookahead)
     tree = _tree(document, entries.get("tree"))
+    values, places = options(document, entries.get("options"))
     said = sentences(document, signatures, entries.get("sentences"), signatures.types if all_known else ())
     signatures.check_uses([*kinds, *goals])
     if document.problems:
@@ -52,6 +54,8 @@ def read(file: str, text: str) -> Declared:
         max_variables=max_variables,
         tree=tree,
         sentences=said,
+        options=values,
+        option_places=places,
     )
 
 

@@ -44,7 +44,8 @@ def _template(
         return None
     name, args = parsed
     if not args and not bare:
-        document.report(node, f"the {key} is a template with arguments, like {example}, not {name!r}")
+        hint = f": an action without arguments stands in a list, [{name}]" if key == "action" else ""
+        document.report(node, f"the {key} is a template with arguments, like {example}, not {name!r}{hint}")
         return None
     types = []
     for arg, offset in args:

@@ -8,6 +8,7 @@ from nppg.answers.check import check
 from nppg.cli import loading
 from nppg.cli.arguments import add_domain
 from nppg.errors import NppgError
+from nppg.experiments.learners import option_problems
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -15,7 +16,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    problems, summary = check(lambda: loading.domain(options), lambda domain: loading.bias(options, domain))
+    problems, summary = check(
+        lambda: loading.domain(options), lambda domain: loading.bias(options, domain), option_problems
+    )
     if problems:
         raise NppgError(problems)
     print(summary)

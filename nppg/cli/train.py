@@ -7,19 +7,19 @@ import math
 from dataclasses import fields, replace
 from pathlib import Path
 
-from nppg.bias.declarations import TreeLimits
 from nppg.cli import loading
 from nppg.cli.arguments import add_domain
 from nppg.cli.progress import reporter
-from nppg.cli.training_options import RENAMED, add_training_options, chosen_options
+from nppg.cli.training_options import add_training_options, chosen_options
 from nppg.errors import NppgError
 from nppg.experiments import runs
-from nppg.experiments.learners import LEARNERS
+from nppg.experiments.learners import LEARNERS, LIMITS, learner_of, options_of
 from nppg.learning.options import at_least
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.usage = "nppg train DOMAIN [--option VALUE ...]"
+    parser.epilog = "What is left out has the value that the language bias's options give it, else its default."
     learned = parser.add_argument_group("what to learn")
     add_domain(learned)
     files = parser.add_argument_group("output")
@@ -48,16 +48,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    given = chosen_options(options)
-    kind = LEARNERS[options.learner]
-    chosen = kind(**{field.name: given.pop(field.name) for field in fields(kind) if field.name in given})
     at_least("evaluate-every", options.evaluate_every, 0)
     at_least("starts", options.starts, 1)
     domain = loading.domain(options)
     bias = loading.bias(options, domain)
     assert bias
-    limits = {field.name: RENAMED.get(field.name, field.name) for field in fields(TreeLimits)}
-    bias = replace(bias, tree=replace(bias.tree, **{name: given[own] for name, own in limits.items() if own in given}))
+    learner = learner_of(bias, options.learner)
+    given = chosen_options(options, learner)
+    own = {field.name for field in fields(LEARNERS[learner])}
+    limits = {LIMITS[name].name: value for name, value in given.items() if name not in own}
+    bias = replace(bias, tree=replace(bias.tree, **limits))
+    chosen = options_of(bias, learner, **{name: value for name, value in given.items() if name in own})
     output = options.output or Path("runs") / domain.name
     report = (lambda progress: None) if options.quiet else reporter(chosen)
     until = options.until_success

@@ -7,9 +7,8 @@ from collections.abc import Mapping
 from dataclasses import Field, fields
 from typing import Any
 
-from nppg.bias.declarations import TreeLimits
 from nppg.errors import NppgError
-from nppg.experiments.learners import LEARNERS
+from nppg.experiments.learners import LEARNERS, LIMITS, owners_of
 from nppg.learning.options import Options, kind_of
 
 FIRST = ("episodes", "seed")  # what most people need
@@ -28,7 +27,6 @@ GROUPS = {
     ),
 }  # fmt: skip
 VALUE_FUNCTIONS = "learners of value functions (tg, rib, trendi)"  # all others
-RENAMED = {"min_examples": "min_leaf"}  # the option's name where another option has the field's
 _LIMITS = {
     "max_depth": "tests on the longest path of a tree",
     "min_examples": "each leaf holds at least so many examples",
@@ -41,7 +39,7 @@ _LIMITS = {
 def add_training_options(parser: argparse.ArgumentParser, first: argparse._ArgumentGroup) -> None:
     """Those that most people need go into the group `first`."""
     first.add_argument(
-        "--learner", choices=LEARNERS, default=Options.learner, help="what learns (default: nppg, policy gradients)"
+        "--learner", choices=LEARNERS, help="what learns (default: the language bias's, or nppg, policy gradients)"
     )
     known = training_options()
     for name in FIRST:
@@ -58,11 +56,10 @@ def add_training_options(parser: argparse.ArgumentParser, first: argparse._Argum
 def training_options() -> dict[str, dict[str, Field]]:
     """The options of `train` by name, each with its learners."""
     found: dict[str, dict[str, Field]] = {}
-    for learner, options in LEARNERS.items():
-        for field in fields(options):
-            found.setdefault(field.name, {})[learner] = field
-    for field in fields(TreeLimits):
-        found.setdefault(RENAMED.get(field.name, field.name), {})[Options.learner] = field
+    for options in LEARNERS.values():
+        found |= {field.name: owners_of(field.name) for field in fields(options)}
+    for name, field in LIMITS.items():
+        found.setdefault(name, {})[Options.learner] = field
     return found
 
 
@@ -88,14 +85,14 @@ def _add_option(parser: argparse._ArgumentGroup, name: str, owners: Mapping[str,
     )
 
 
-def chosen_options(options: argparse.Namespace) -> dict[str, Any]:
+def chosen_options(options: argparse.Namespace, learner: str) -> dict[str, Any]:
     """Those that were given. Raises NppgError for those that the learner does not have."""
     given: dict[str, Any] = {}
     for name, owners in training_options().items():
         value = getattr(options, name)
-        if value is not None and options.learner not in owners:
+        if value is not None and learner not in owners:
             raise NppgError(
-                f"--{name.replace('_', '-')} is no option of the learner {options.learner}, but of {', '.join(owners)}"
+                f"--{name.replace('_', '-')} is no option of the learner {learner}, but of {', '.join(owners)}"
             )
         given |= {} if value is None else {name: value}
     return given

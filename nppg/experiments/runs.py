@@ -9,6 +9,7 @@ from pathlib import Path
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.errors import NppgError, Problem
+from nppg.experiments.learners import options_of
 from nppg.experiments.progress import Point, Progress
 from nppg.experiments.run_files import in_the_way, write_files
 from nppg.experiments.train import train
@@ -24,7 +25,7 @@ _CLASSES = 20_000  # state spaces up to this size are evaluated exactly between 
 def run(
     domain: Domain,
     bias: LanguageBias,
-    options: Common,
+    options: Common | None,
     output: Path,
     evaluate_every: int = 50,
     starts: int = 1000,
@@ -33,7 +34,7 @@ def run(
     space: Space | None = None,
     until_return: float | None = None,
 ) -> Progress:
-    """Trains and writes the files into the folder `output`.
+    """Trains and writes the files into the folder `output`; `options` are by default, None, those of the bias.
 
     Every `evaluate_every` episodes (0: never) the policy is evaluated: exactly where the domain allows it and has
     few classes of states, else on `starts` sampled starts. With `until_success` or `until_return` the run ends at the
@@ -43,6 +44,7 @@ def run(
     nothing is lost and nothing overwritten. Raises NppgError, before it starts, where a file that no run wrote stands
     in the way of a copy of the domain or the bias.
     """
+    options = options_of(bias) if options is None else options
     problems = bias.check(domain.predicates, domain.actions)
     problems += in_the_way(domain, bias, output)
     if problems:

@@ -38,7 +38,7 @@ class Common:
     horizon_factor: float = option(1.0, "episodes end after this many times the domain's horizon", low=0)
 
     def __post_init__(self) -> None:
-        wrong = [problem for each in fields(self) if (problem := _problem(each, getattr(self, each.name)))]
+        wrong = [problem for each in fields(self) if (problem := problem_of(each, getattr(self, each.name)))]
         if wrong:
             raise NppgError(Problem("", 0, 0, message) for message in wrong)
 
@@ -122,7 +122,8 @@ class Options(Common):
             object.__setattr__(self, "importance", 1.0 if self.step == "gradient" else 0.5)
 
 
-def _problem(option: Field, value: Any) -> str:
+def problem_of(option: Field, value: Any) -> str:
+    """What is wrong with a value, or nothing."""
     name, bounds = option.name, option.metadata
     if value is None and option.default is None:
         return ""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -31,11 +32,15 @@ def is_environment(name_or_path: str | Path) -> bool:
 
 
 def language_bias_of(domain: Domain) -> LanguageBias:
-    """The language bias that `bias_path` finds; for an environment whose domain file is generated, or has none, a
-    generated one. Raises NppgError."""
-    if isinstance(domain, GymDomain) and (domain.generated or not domain.path.with_suffix(".yaml").is_file()):
-        return domain.language_bias()
-    return LanguageBias.load(bias_path(domain.path, domain.given))
+    """The language bias that `bias_path` finds. That of an environment is the file beside its domain file, or where
+    that is generated the shipped one of the environment's name without its version; else a generated one. Raises
+    NppgError."""
+    if not isinstance(domain, GymDomain):
+        return LanguageBias.load(bias_path(domain.path, domain.given))
+    own = domain.path.with_suffix(".yaml")
+    if domain.generated:
+        own = shipped("language_bias") / f"{re.sub('-v[0-9]+$', '', domain.path.stem)}.yaml"
+    return LanguageBias.load(own) if own.is_file() else domain.language_bias()
 
 
 def bias_path(domain: Path, given: Mapping[str, int | float | str]) -> Path:
