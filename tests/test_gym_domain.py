@@ -219,6 +219,59 @@ def test_a_mask_says_what_is_legal_unless_nothing_is(mask: Any, legal: list[int]
     assert len(domain.situation(state).actions) == 3
 
 
+class Masked(Told):
+    """With sb3-contrib's convention."""
+
+    mask: Any = (1, 0, 1)
+
+    def action_masks(self) -> Any:
+        if isinstance(self.mask, Exception):
+            raise self.mask
+        return self.mask
+
+
+class Changed(gymnasium.Wrapper):
+    """Allows what the environment does not."""
+
+    def action_masks(self) -> Any:
+        return ~np.array(self.unwrapped.mask, bool)  # type: ignore[attr-defined]
+
+
+gymnasium.register("nppg/Masked-v0", Masked)
+gymnasium.register("nppg/Changed-v0", lambda: Changed(Masked()))
+
+
+def test_a_method_says_what_is_legal_where_info_does_not() -> None:
+    domain, changed = opened("nppg/Masked-v0"), opened("nppg/Changed-v0")
+    env: Any = domain._made.env.unwrapped
+    for mask, info, legal in (
+        ((1, 0, 1), {}, [0, 2]),
+        (np.array([False, True, False]), {}, [1]),
+        ([0, 0, 0], {}, [0, 1, 2]),
+        (None, {}, [0, 1, 2]),
+        ([1, 0, 0], {"action_mask": [0, 0, 1]}, [2]),
+    ):
+        env.mask, env.info = mask, info
+        assert domain.situation(started(domain)) == ("running", [("do", number) for number in legal])
+    env.mask, env.info = [0, 1, 1], {}
+    _, state = domain.act(started(domain), ("do", 1), np.random.default_rng(0))
+    assert domain.situation(state).actions == [("do", 1), ("do", 2)]
+    for wrong, message in (
+        ([1], r"action_masks gave \[1\] has 1 entries"),
+        (KeyError(1), "action_masks raised KeyError: 1"),
+    ):
+        env.mask = wrong
+        with pytest.raises(NppgError, match=f"^gym:nppg/Masked-v0: {message}"):
+            started(domain)
+    assert changed.situation(started(changed)).actions == [("do", 1)]
+
+
+def test_an_attribute_that_is_no_method_says_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Told, "action_masks", [1, 0, 0], raising=False)
+    domain, _ = told()
+    assert len(domain.situation(started(domain)).actions) == 3
+
+
 @pytest.mark.parametrize("outcome", [(2.0, True, False), (2.0, True, True), (2.0, False, True)])
 def test_what_the_environment_ends_goes_on_no_more(outcome: tuple) -> None:
     """It is cut off where the environment truncates by itself, without a time limit that Gymnasium knows of."""

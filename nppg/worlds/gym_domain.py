@@ -32,6 +32,7 @@ _ENDED = Situation("terminal", [])
 _TRUNCATED = "truncated"
 _RESET = "observation, info"  # what the methods of an environment return
 _STEP = "observation, reward, terminated, truncated, info"
+_MASKS = "action_masks"  # a method that says which actions are legal, as sb3-contrib looks for it
 _ELSEWHERE = "the environment is in another state: it can only go on from where it is"
 
 
@@ -59,6 +60,7 @@ class GymDomain(Domain):
         self._numbers: dict[Action, int] = {("do", number): number for number in numbers}
         self._running = Situation("running", list(self._numbers))
         self._read, self._components = _reader(self._made)
+        self._masks = _method(self._made.env, _MASKS)
         self._state: State | None = None
         self._now = _ENDED
         self._check_file()
@@ -92,7 +94,7 @@ class GymDomain(Domain):
         return self._state
 
     def situation(self, state: State) -> Situation:
-        """`terminal` once the environment has terminated the episode, else its actions, or those of its action_mask;
+        """`terminal` once the environment has terminated the episode, else its actions, or those that its mask allows;
         `truncated` with those that there would be, once the environment itself has cut the episode off."""
         if state is not self._state and state != self._state:
             raise self._mistake(_ELSEWHERE)
@@ -134,18 +136,23 @@ class GymDomain(Domain):
 
     def _asked(self, what: str, names: str, *args: Any, **keywords: Any) -> Sequence[Any]:
         """What a method of the environment returns, which has these parts."""
-        try:
-            found = getattr(self._made.env, what)(*args, **keywords)
-        except Exception as error:
-            raise self._mistake(f"{what} raised {told(error)}") from error
+        found = self._called(what, getattr(self._made.env, what), *args, **keywords)
         return gym_values.parts(f"{what} gave", found, names)
 
+    def _called(self, what: str, method: Callable[..., Any], *args: Any, **keywords: Any) -> Any:
+        try:
+            return method(*args, **keywords)
+        except Exception as error:  # whatever the code of an environment may raise
+            raise self._mistake(f"{what} raised {told(error)}") from error
+
     def _legal(self, info: Any) -> Situation:
-        """A mask that allows nothing says nothing."""
-        mask = gym_values.told("info", info).get("action_mask")
+        """By the mask in `info`, else that of the environment's method. A mask that allows nothing says nothing."""
+        mask, source = gym_values.told("info", info).get("action_mask"), "its action_mask"
+        if mask is None and self._masks:
+            mask, source = self._called(_MASKS, self._masks), f"{_MASKS} gave"
         if mask is None:
             return self._running
-        allowed = gym_values.mask("its action_mask", mask, len(self._numbers))
+        allowed = gym_values.mask(source, mask, len(self._numbers))
         actions = [action for action, legal in zip(self._numbers, allowed, strict=True) if legal]
         return Situation("running", actions) if actions else self._running
 
@@ -181,6 +188,12 @@ def actions_of(made: Made) -> range:
     if not isinstance(space, Discrete):
         raise NppgError(f"gym:{made.id}: its actions are {space}, but only Discrete actions can be chosen among")
     return range(int(space.start), int(space.start + space.n))
+
+
+def _method(env: Env, name: str) -> Callable[..., Any] | None:
+    """That of the outermost wrapper which has one, or of the environment within."""
+    found = env.get_wrapper_attr(name) if env.has_wrapper_attr(name) else None
+    return found if callable(found) else None
 
 
 def _reader(made: Made) -> tuple[Callable[[Any], State], int]:
