@@ -220,6 +220,59 @@ def test_a_mask_says_what_is_legal_unless_nothing_is(mask: Any, legal: list[int]
     assert len(domain.situation(state).actions) == 3
 
 
+class Masked(Told):
+    """With sb3-contrib's convention."""
+
+    mask: Any = (1, 0, 1)
+
+    def action_masks(self) -> Any:
+        if isinstance(self.mask, Exception):
+            raise self.mask
+        return self.mask
+
+
+class Changed(gymnasium.Wrapper):
+    """Allows what the environment does not."""
+
+    def action_masks(self) -> Any:
+        return ~np.array(self.unwrapped.mask, bool)  # type: ignore[attr-defined]
+
+
+gymnasium.register("nppg/Masked-v0", Masked)
+gymnasium.register("nppg/Changed-v0", lambda: Changed(Masked()))
+
+
+def test_a_method_says_what_is_legal_where_info_does_not() -> None:
+    domain, changed = opened("nppg/Masked-v0"), opened("nppg/Changed-v0")
+    env: Any = domain._made.env.unwrapped
+    for mask, info, legal in (
+        ((1, 0, 1), {}, [0, 2]),
+        (np.array([False, True, False]), {}, [1]),
+        ([0, 0, 0], {}, [0, 1, 2]),
+        (None, {}, [0, 1, 2]),
+        ([1, 0, 0], {"action_mask": [0, 0, 1]}, [2]),
+    ):
+        env.mask, env.info = mask, info
+        assert domain.situation(started(domain)) == ("running", [("do", number) for number in legal])
+    env.mask, env.info = [0, 1, 1], {}
+    _, state = domain.act(started(domain), ("do", 1), np.random.default_rng(0))
+    assert domain.situation(state).actions == [("do", 1), ("do", 2)]
+    for wrong, message in (
+        ([1], r"action_masks gave \[1\] has 1 entries"),
+        (KeyError(1), "action_masks raised KeyError: 1"),
+    ):
+        env.mask = wrong
+        with pytest.raises(NppgError, match=f"^gym:nppg/Masked-v0: {message}"):
+            started(domain)
+    assert changed.situation(started(changed)).actions == [("do", 1)]
+
+
+def test_an_attribute_that_is_no_method_says_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Told, "action_masks", [1, 0, 0], raising=False)
+    domain, _ = told()
+    assert len(domain.situation(started(domain)).actions) == 3
+
+
 @pytest.mark.parametrize("outcome", [(2.0, True, False), (2.0, True, True), (2.0, False, True)])
 def test_what_the_environment_ends_goes_on_no_more(outcome: tuple) -> None:
     """It is cut off where the environment truncates by itself, without a time limit that Gymnasium knows of."""
@@ -289,10 +342,33 @@ def test_an_environment_goes_on_from_where_it_is_alone() -> None:
         ({"observation": [np.nan, 1]}, "not finite"),
         ({"observation": [1, np.inf]}, "not finite"),
         ({"observation": [1, 2, 3]}, "no array of 2 numbers"),
-        ({"observation": "x"}, "no array of 2 numbers"),
-        ({"outcome": (np.nan, False, False)}, "the reward nan"),
-        ({"outcome": (1, False)}, "step raised ValueError"),
+        ({"observation": "x"}, "'x' is no array of numbers"),
+        ({"observation": ["0.5", "1"]}, "is no array of numbers"),
+        ({"observation": [1j, 0]}, "is no array of numbers"),
+        ({"observation": None}, "None is no array of 2 numbers"),
+        ({"observation": {"a": 1}}, "is no array of numbers"),
+        ({"observation": [[1], [1, 2]]}, "is no array of numbers"),
+        ({"observation": [1e300, 0]}, "not finite"),
+        ({"outcome": (np.nan, False, False)}, "the reward nan is no finite number"),
+        ({"outcome": (np.array([np.inf]), False, False)}, r"the reward array\(\[inf\]\) is no finite number"),
+        ({"outcome": (np.ones(2), False, False)}, r"the reward array\(\[1., 1.\]\) is no finite number"),
+        ({"outcome": (None, False, False)}, "the reward None is no finite number"),
+        ({"outcome": (np.ones((50, 50)), False, False)}, r"the reward array\(.*\.\.\. is no finite number"),
+        ({"outcome": (10**400, False, False)}, "is no finite number"),
+        ({"outcome": (1j, False, False)}, "the reward 1j is no finite number"),
+        ({"outcome": ([1.0], False, False)}, r"the reward \[1.0\] is no finite number"),
+        ({"outcome": (1, np.zeros(2, bool), False)}, r"terminated array\(.*\) is neither True nor False"),
+        ({"outcome": (1, False, "False")}, "truncated 'False' is neither True nor False"),
+        ({"outcome": (1, None, False)}, "terminated None is neither True nor False"),
+        ({"outcome": (1, False)}, "step gave .* and not 5 values: observation, reward, terminated, truncated, info"),
+        ({"outcome": (1, False, False, 0)}, "step gave .* and not 5 values: "),
         ({"info": {"action_mask": [1]}}, "1 entries for 3 actions"),
+        ({"info": {"action_mask": True}}, "True has 1 entries for 3 actions"),
+        ({"info": {"action_mask": np.ones((3, 2))}}, "6 entries for 3 actions"),
+        ({"info": {"action_mask": "abc"}}, "'abc' is no array of 0 and 1"),
+        ({"info": {"action_mask": [1, np.nan, 0]}}, "is no array of 0 and 1"),
+        ({"info": {"action_mask": {"do": 1}}}, "is no array of 0 and 1"),
+        ({"info": [1]}, r"info \[1\] is no dict"),
     ],
 )
 def test_an_environments_mistakes_are_one_line(change: dict, message: str) -> None:
@@ -302,6 +378,65 @@ def test_an_environments_mistakes_are_one_line(change: dict, message: str) -> No
     with pytest.raises(NppgError, match=message) as caught:
         domain.act(state, ("do", 0), np.random.default_rng(0))
     assert str(caught.value).startswith("gym:nppg/Told-v2: ") and "\n" not in str(caught.value)
+    with pytest.raises(NppgError, match="in another state"):
+        domain.act(state, ("do", 0), np.random.default_rng(0))
+
+
+@pytest.mark.parametrize(
+    ("found", "message"),
+    [
+        (np.array([0.5, -1]), r"reset gave array\(\[ 0.5, -1. \]\) and not 2 values: observation, info"),
+        (([0.5, -1],), "and not 2 values"),
+        (None, "reset gave None and not 2 values"),
+        ([[0.5, -1], 1], "info 1 is no dict"),
+        (([0.5], {}), r"an observation \[0.5\] is no array of 2 numbers"),
+    ],
+)
+def test_what_reset_gives_is_checked(found: Any, message: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    domain, _ = told()
+    monkeypatch.setattr(Told, "reset", lambda self, **_: found)
+    with pytest.raises(NppgError, match=f"^gym:nppg/Told-v2: .*{message}"):
+        started(domain)
+
+
+@pytest.mark.parametrize("reward", [2, np.float32(2), np.int8(2), np.array(2), np.array([2.0]), np.array([[2]]), "2"])
+@pytest.mark.parametrize("false", [False, 0, np.False_, np.array(False), np.array([0])])
+def test_an_array_of_one_number_is_the_number(reward: Any, false: Any) -> None:
+    domain, env = told()
+    env.outcome, env.info = (reward, false, false), None  # type: ignore[assignment]
+    found, state = domain.act(started(domain), ("do", 0), np.random.default_rng(0))
+    assert (found, type(found)) == (2.0, float) and len(domain.situation(state).actions) == 3
+    env.outcome = (reward, np.array([True]), false)
+    _, state = domain.act(state, ("do", 0), np.random.default_rng(0))
+    assert domain.situation(state).status == "terminal"
+
+
+@pytest.mark.parametrize("observation", [3, np.int64(3), np.array(3), np.array([3]), np.float32(3)])
+def test_a_number_is_the_observation_however_it_is_wrapped(observation: Any) -> None:
+    domain, env = told(space="number")
+    env.observation = observation
+    assert started(domain) == (("obs", 1, 3),)
+    for wrong in (2.7, np.nan, "3", None, [1, 2]):
+        env.observation = wrong
+        with pytest.raises(NppgError, match=r"^gym:nppg/Told-v2: an observation .* is no whole number$"):
+            started(domain)
+
+
+def test_a_method_decode_of_another_meaning_is_let_be(monkeypatch: pytest.MonkeyPatch) -> None:
+    for decode in (lambda self, text: text.upper(), lambda self, number: "ab", lambda self, a, b: [1]):
+        monkeypatch.setattr(Told, "decode", decode, raising=False)
+        domain, env = told(space="number")
+        env.observation = 5
+        assert started(domain) == (("obs", 1, 5),)
+    monkeypatch.setattr(Told, "decode", lambda self, number: {2: [1, 2], 4: [np.int64(0), 1.0]}[number])
+    domain, env = told(space="number")
+    env.observation = 4
+    assert started(domain) == (("obs", 1, 0), ("obs", 2, 1))
+    env.observation = 3
+    with pytest.raises(
+        NppgError, match=r"^gym:nppg/Told-v2: an observation 3 is nothing that decode knows: KeyError: 3$"
+    ):
+        started(domain)
 
 
 @pytest.mark.parametrize(

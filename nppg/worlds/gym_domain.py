@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import re
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,6 +20,8 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.interrupts import heed_interrupt
 from nppg.errors import NppgError, Problem
 from nppg.worlds.domain import Action, Domain, Interpretation, Outcome, Situation, State
+from nppg.worlds import gym_values
+from nppg.worlds.domain import Action, Domain, Outcome, Situation, State
 from nppg.worlds.gym_files import bias_text, domain_text
 from nppg.worlds.gym_make import Made, make, told
 
@@ -29,6 +31,10 @@ if TYPE_CHECKING:
 _SEEDS = 2**31  # an environment's seed is drawn below this
 _ENDED = Situation("terminal", [])
 _TRUNCATED = "truncated"
+_RESET = "observation, info"  # what the methods of an environment return
+_STEP = "observation, reward, terminated, truncated, info"
+_MASKS = "action_masks"  # a method that says which actions are legal, as sb3-contrib looks for it
+_ELSEWHERE = "the environment is in another state: it can only go on from where it is"
 
 
 class GymDomain(Domain):
@@ -55,6 +61,7 @@ class GymDomain(Domain):
         self._numbers: dict[Action, int] = {("do", number): number for number in numbers}
         self._running = Situation("running", list(self._numbers))
         self._read, self._components = _reader(self._made)
+        self._masks = _method(self._made.env, _MASKS)
         self._state: State | None = None
         self._now = _ENDED
         self._check_file()
@@ -79,19 +86,19 @@ class GymDomain(Domain):
         """Resets the environment with a seed drawn from `rng`."""
         heed_interrupt()
         seed = int(rng.integers(_SEEDS))
+        self._state = None  # until all that the environment says has been understood
         try:
-            observation, info = self._made.env.reset(seed=seed)
-        except Exception as error:
-            raise self._failed("reset", error) from error
-        self._state = self._read(observation)
-        self._now = self._legal(info)
+            observation, info = self._asked("reset", _RESET, seed=seed)
+            self._now, self._state = self._legal(info), self._read(observation)
+        except gym_values.Unfit as unfit:
+            raise self._mistake(unfit) from None
         return self._state
 
     def situation(self, state: State) -> Situation:
-        """`terminal` once the environment has terminated the episode, else its actions, or those of its action_mask;
+        """`terminal` once the environment has terminated the episode, else its actions, or those that its mask allows;
         `truncated` with those that there would be, once the environment itself has cut the episode off."""
         if state is not self._state and state != self._state:
-            raise self._elsewhere()
+            raise self._mistake(_ELSEWHERE)
         return self._now
 
     def horizon(self, state: State) -> int:
@@ -104,49 +111,54 @@ class GymDomain(Domain):
     def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]:
         """Takes a step in the environment, whose randomness comes from the seed of its start."""
         if state is not self._state and state != self._state:
-            raise self._elsewhere()
+            raise self._mistake(_ELSEWHERE)
         if self._now.status != "running":
-            raise NppgError(f"gym:{self._made.id}: the episode has ended, and no action leads on")
+            raise self._mistake("the episode has ended, and no action leads on")
         number = self._numbers.get(action)
         if number is None:
-            raise NppgError(f"gym:{self._made.id}: {action!r} is no action")
+            raise self._mistake(f"{action!r} is no action")
+        self._state = None
         try:
-            observation, reward, terminated, truncated, info = self._made.env.step(number)
-        except Exception as error:
-            raise self._failed("step", error) from error
-        reward = float(reward)
-        if not math.isfinite(reward):
-            raise NppgError(f"gym:{self._made.id}: step gave the reward {reward}")
-        self._state = self._read(observation)
-        self._now = _ENDED if terminated else self._legal(info)
-        if truncated and not terminated:
-            self._now = self._now._replace(status=_TRUNCATED)
-        return reward, self._state
+            observation, reward, terminated, truncated, info = self._asked("step", _STEP, number)
+            earned = gym_values.number("the reward", reward)
+            over, cut = gym_values.flag("terminated", terminated), gym_values.flag("truncated", truncated)
+            now = _ENDED if over else self._legal(info)
+            self._now = now._replace(status=_TRUNCATED) if cut and not over else now
+            self._state = self._read(observation)
+        except gym_values.Unfit as unfit:
+            raise self._mistake(unfit) from None
+        return earned, self._state
 
     def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
-        raise NppgError(f"gym:{self._made.id}: the outcomes of its actions cannot be listed")
+        raise self._mistake("the outcomes of its actions cannot be listed")
 
     def reward(self, state: State, action: Action) -> float:
-        raise NppgError(f"gym:{self._made.id}: its rewards are told when a step is taken, not afterwards")
+        raise self._mistake("its rewards are told when a step is taken, not afterwards")
 
-    def _legal(self, info: dict[str, Any]) -> Situation:
-        """A mask that allows nothing says nothing."""
-        mask = info.get("action_mask")
+    def _asked(self, what: str, names: str, *args: Any, **keywords: Any) -> Sequence[Any]:
+        """What a method of the environment returns, which has these parts."""
+        found = self._called(what, getattr(self._made.env, what), *args, **keywords)
+        return gym_values.parts(f"{what} gave", found, names)
+
+    def _called(self, what: str, method: Callable[..., Any], *args: Any, **keywords: Any) -> Any:
+        try:
+            return method(*args, **keywords)
+        except Exception as error:  # whatever the code of an environment may raise
+            raise self._mistake(f"{what} raised {told(error)}") from error
+
+    def _legal(self, info: Any) -> Situation:
+        """By the mask in `info`, else that of the environment's method. A mask that allows nothing says nothing."""
+        mask, source = gym_values.told("info", info).get("action_mask"), "its action_mask"
+        if mask is None and self._masks:
+            mask, source = self._called(_MASKS, self._masks), f"{_MASKS} gave"
         if mask is None:
             return self._running
-        allowed = np.asarray(mask).tolist()
-        if len(allowed) != len(self._numbers):
-            message = f"its action_mask has {len(allowed)} entries for {len(self._numbers)} actions"
-            raise NppgError(f"gym:{self._made.id}: {message}")
+        allowed = gym_values.mask(source, mask, len(self._numbers))
         actions = [action for action, legal in zip(self._numbers, allowed, strict=True) if legal]
         return Situation("running", actions) if actions else self._running
 
-    def _elsewhere(self) -> NppgError:
-        message = "the environment is in another state: it can only go on from where it is"
+    def _mistake(self, message: object) -> NppgError:
         return NppgError(f"gym:{self._made.id}: {message}")
-
-    def _failed(self, what: str, error: Exception) -> NppgError:
-        return NppgError(f"gym:{self._made.id}: {what} raised {told(error)}")
 
 
 def open_environment(id: str, parameters: Mapping[str, int | float | str] | None = None) -> GymDomain:
@@ -179,6 +191,12 @@ def actions_of(made: Made) -> range:
     return range(int(space.start), int(space.start + space.n))
 
 
+def _method(env: Env, name: str) -> Callable[..., Any] | None:
+    """That of the outermost wrapper which has one, or of the environment within."""
+    found = env.get_wrapper_attr(name) if env.has_wrapper_attr(name) else None
+    return found if callable(found) else None
+
+
 def _reader(made: Made) -> tuple[Callable[[Any], State], int]:
     """What makes a state of an observation, and the number of its facts."""
     from gymnasium.spaces import Box, Discrete
@@ -186,14 +204,14 @@ def _reader(made: Made) -> tuple[Callable[[Any], State], int]:
     space = made.env.observation_space
     if isinstance(space, Box):
         count = math.prod(space.shape)
-        return _box_reader(made.id, count), count
+        return _box_reader(count), count
     if isinstance(space, Discrete):
         read = _number_reader(made.env)
         return read, len(read(space.start))
     raise NppgError(f"gym:{made.id}: its observations are {space}, but a state is made of a Box or a Discrete one")
 
 
-def _box_reader(id: str, count: int) -> Callable[[Any], State]:
+def _box_reader(count: int) -> Callable[[Any], State]:
     names, indices = ("obs",) * count, range(1, count + 1)
 
     def read(observation: Any) -> State:
@@ -204,11 +222,13 @@ def _box_reader(id: str, count: int) -> Callable[[Any], State]:
         if not math.isfinite(sum(values)):
             raise NppgError(f"gym:{id}: an observation has numbers that are not finite: {values}")
         return Interpretation(zip(names, indices, values, strict=True))
+        return tuple(zip(names, indices, gym_values.numbers("an observation", observation, count), strict=True))
 
     return read
 
 
 def _number_reader(env: Env) -> Callable[[Any], State]:
+    """A method `decode` of the environment that makes no whole numbers of a number has another meaning."""
     decode = getattr(env.unwrapped, "decode", None)
     if not callable(decode) or env.observation_space != env.unwrapped.observation_space:
         decode = None
@@ -217,5 +237,15 @@ def _number_reader(env: Env) -> Callable[[Any], State]:
     def state(number: int) -> State:
         parts = decode(number) if decode else (number,)
         return Interpretation(("obs", i, int(part)) for i, part in enumerate(parts, 1))
+        try:
+            parts = tuple(decode(number)) if decode else (number,)
+        except Exception as error:
+            raise gym_values.Unfit(f"an observation {number} is nothing that decode knows: {told(error)}") from error
+        return tuple(("obs", i, gym_values.whole("a part", part)) for i, part in enumerate(parts, 1))
 
-    return lambda observation: state(int(observation))
+    try:
+        state(int(env.observation_space.start))
+    except Exception:
+        decode = None
+
+    return lambda observation: state(gym_values.whole("an observation", observation))
