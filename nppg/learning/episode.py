@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
 
 import numpy as np
 
@@ -14,6 +16,7 @@ from nppg.policy.policy import Policy, choose, choose_best
 from nppg.worlds.domain import Action, State, World
 
 IDLE = 1000  # episodes in a row without a step, after which there is nothing to wait for
+_ROUNDING = Fraction(1, 10**12)  # what is so near to a whole number, relatively, is one
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +49,15 @@ class Episode:
     actual: State
 
 
+@lru_cache
+def longest(horizon: int, factor: float) -> int:
+    """The steps after which an episode ends: `factor` times the horizon, rounded up. A product that is whole but for
+    the rounding of the factor is whole: 1.1 times 50 is 55."""
+    exact = Fraction(factor) * horizon
+    whole = round(exact)
+    return whole if abs(exact - whole) <= exact * _ROUNDING else math.ceil(exact)
+
+
 def generate_episode(
     policy: Policy,
     rng: np.random.Generator,
@@ -62,10 +74,10 @@ def generate_episode(
     domain: World = policy.domain
     guided = guidance > 0 and bool(rng.random() < guidance)
     state = domain.start(rng)
-    limit = math.ceil(horizon_factor * domain.horizon(state))
+    most = longest(domain.horizon(state), horizon_factor)
     steps: list[Step] = []
     status, actions = domain.situation(state)
-    while status == "running" and len(steps) < limit:
+    while status == "running" and len(steps) < most:
         seen = domain.observe(state, rng)
         answers = policy.answers(seen, actions)
         potentials = policy.potentials_of(answers)
