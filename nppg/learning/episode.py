@@ -22,8 +22,8 @@ _ROUNDING = Fraction(1, 10**12)  # what is so near to a whole number, relatively
 @dataclass(frozen=True, slots=True)
 class Step:
     """A state as the policy sees it, with its legal actions, the answers to the policy's tests about them (shape
-    (actions, tests)), their potentials and probabilities, the index of the action taken, and the reward; and the state
-    as it is."""
+    (actions, tests)), their potentials and probabilities, the index of the action taken, and the reward; the state as
+    it is; and whether the domain's expert, who sees it so, chose the action."""
 
     state: State
     actions: Sequence[Action]
@@ -33,20 +33,24 @@ class Step:
     chosen: int
     reward: float
     actual: State
+    guided: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Episode:
     """The steps, the last state as the policy sees it, its legal actions (none where it is a goal or terminal state),
-    and whether it is a goal state. `guided`: the expert, who sees states as they are, chose the actions. `actual`: the
-    last state as it is."""
+    and whether it is a goal state. `actual`: the last state as it is."""
 
     steps: tuple[Step, ...]
     last: State
     open: Sequence[Action]
     success: bool
-    guided: bool
     actual: State
+
+    @property
+    def guided(self) -> bool:
+        """Whether the expert chose an action."""
+        return any(step.guided for step in self.steps)
 
 
 @lru_cache
@@ -68,8 +72,8 @@ def generate_episode(
     """Draws a start state and acts until the episode ends: in a goal or terminal state, or after
     horizon_factor times the domain's horizon.
 
-    With probability `guidance` the whole episode is a trace of the domain's expert. Raises NppgError where the
-    domain's code is at fault.
+    With probability `guidance` the whole episode is a trace of the domain's expert; where it has no advice, the policy
+    acts. Raises NppgError where the domain's code is at fault.
     """
     domain: World = policy.domain
     guided = guidance > 0 and bool(rng.random() < guidance)
@@ -88,10 +92,10 @@ def generate_episode(
         else:
             chosen = choose_best(potentials, rng) if greedy else choose(probabilities, rng)
         reward, following = domain.act(state, actions[chosen], rng)
-        steps.append(Step(seen, actions, answers, potentials, probabilities, chosen, reward, state))
+        steps.append(Step(seen, actions, answers, potentials, probabilities, chosen, reward, state, bool(advice)))
         state = following
         status, actions = domain.situation(state)
-    return Episode(tuple(steps), domain.observe(state, rng), actions, status == "goal", guided, state)
+    return Episode(tuple(steps), domain.observe(state, rng), actions, status == "goal", state)
 
 
 def training_episodes(policy: Policy, rng: np.random.Generator, options: Common) -> Iterator[Episode]:
