@@ -482,7 +482,7 @@ def _play(options: argparse.Namespace) -> int:
 
     at_least("seed", options.seed, 0)
     policy = _load(options)
-    episode = generate_episode(policy, np.random.default_rng(options.seed), greedy=policy.greedy)
+    episode = generate_episode(policy, np.random.default_rng(options.seed))
     for number, step in enumerate(episode.steps, 1):
         print(*policy.domain.picture(step.actual), "", *_seen(policy, step.state), f"step {number}", sep="\n")
         pairs = zip(step.actions, step.potentials if policy.greedy else step.probabilities, strict=True)

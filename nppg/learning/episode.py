@@ -68,14 +68,17 @@ def generate_episode(
     guidance: float = 0.0,
     horizon_factor: float = 1.0,
     greedy: bool = False,
+    learning: bool = False,
 ) -> Episode:
     """Draws a start state and acts until the episode ends: in a goal or terminal state, or after
     horizon_factor times the domain's horizon.
 
     With probability `guidance` the whole episode is a trace of the domain's expert; where it has no advice, the policy
-    acts. Raises NppgError where the domain's code is at fault.
+    acts: greedily, if it is to or does so wherever it does not learn. Raises NppgError where the domain's code is at
+    fault.
     """
     domain: World = policy.domain
+    greedy = greedy or (policy.greedy and not learning)
     guided = guidance > 0 and bool(rng.random() < guidance)
     state = domain.start(rng)
     most = longest(domain.horizon(state), horizon_factor)
@@ -103,7 +106,7 @@ def training_episodes(policy: Policy, rng: np.random.Generator, options: Common)
     step any more."""
     idle = 0
     for _ in range(options.episodes):
-        episode = generate_episode(policy, rng, options.guidance, options.horizon_factor)
+        episode = generate_episode(policy, rng, options.guidance, options.horizon_factor, learning=True)
         idle = 0 if episode.steps else idle + 1
         if idle == IDLE:
             message = f"{idle} episodes took no step: their starts were goal or terminal states, or the horizon 0"
