@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from nppg.bias.language_bias import LanguageBias
+from nppg.bridge.files import locate
 from nppg.learning.critic import STATE, MonteCarlo, ValueFunction, critic
 from nppg.learning.episode import Episode, Step, generate_episode
 from nppg.learning.gradient import returns
@@ -32,7 +33,7 @@ def transitions(domain: Domain) -> list[Episode]:
     for cell in (1, 2, 3):
         for chosen in (0, 1):
             taken, last = step(domain, cell, chosen)
-            found.append(Episode((taken,), last, domain.situation(last).actions, False, False, last))
+            found.append(Episode((taken,), last, domain.situation(last).actions, False, last))
     return found
 
 
@@ -94,7 +95,7 @@ def test_advantages_are_those_of_their_definition(chain, trace: float, ends: boo
     assert last is not None and (last == (("cell", 4),)) == ends
     open_actions = domain.situation(last).actions
     assert bool(open_actions) != ends
-    found = values.visits(Episode(tuple(steps), last, open_actions, False, False, last))
+    found = values.visits(Episode(tuple(steps), last, open_actions, False, last))
     v = [*values([each.state for each in steps]).tolist(), values([last]).item()]
     assert len({round(each, 6) for each in v}) >= 3
     v[-1] *= not ends and cut_off == "bootstrap"
@@ -143,7 +144,32 @@ def test_the_expert_does_not_count(four_blocks: Domain, plain_bias, chain) -> No
     assert alone.trees.trees == values.trees.trees and len(alone.trees.trees) == 1
     domain, bias = chain
     episode = generate_episode(Policy(domain, bias), rng, guidance=1.0)
-    assert episode.guided and not any(each.guided for each in ValueFunction(domain, bias, OPTIONS).visits(episode))
+    assert not episode.guided and not any(each.guided for each in ValueFunction(domain, bias, OPTIONS).visits(episode))
+
+
+def test_an_expert_without_advice_leaves_the_policys_own_steps(tmp_path, plain_bias) -> None:
+    """What follows the expert's last action is the policy's; what leads there has the expert's value."""
+    shipped = locate("blocks_world", "domains", ".pl").read_text()
+    (tmp_path / "hesitant.pl").write_text(
+        shipped.replace("module(blocks_world,", "module(hesitant,").replace(
+            "optimal(Task, Move).", "towers(T), 0 is T mod 2, optimal(Task, Move).", 1
+        )
+    )
+    domain = Domain(tmp_path / "hesitant.pl", {"blocks": 5})
+    policy, rng = Policy(domain, plain_bias), np.random.default_rng(0)
+    values, returned = ValueFunction(domain, plain_bias, OPTIONS), critic(domain, plain_bias, Options())
+    kinds = set()
+    for _ in range(60):
+        episode = generate_episode(policy, rng, guidance=1.0, horizon_factor=2.0)
+        advised = [bool(domain.expert_actions(step.actual)) for step in episode.steps]
+        assert [step.guided for step in episode.steps] == advised and episode.guided == any(advised)
+        expected = [any(advised[t:]) for t in range(len(advised))]
+        assert [visit.guided for visit in values.visits(episode)] == expected
+        assert [visit.guided for visit in returned.visits(episode)] == expected
+        kinds.add((episode.guided, all(expected)))
+        own = generate_episode(policy, rng, guidance=0.0)
+        assert not any(step.guided for step in own.steps)
+    assert kinds == {(False, False), (True, False), (True, True)}
 
 
 def test_its_trees_are_about_states(four_blocks: Domain, relational_bias) -> None:

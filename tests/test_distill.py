@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from samples import value_of_list, visited
 
+import nppg.rrl.training
 import nppg.rules.distill
 from nppg.answers.coverage import root_table
 from nppg.bias.refinement import KIND, Refiner
@@ -23,6 +24,7 @@ from nppg.learning.options import Options
 from nppg.learning.training import train
 from nppg.logic.subsumption import deciding_tests
 from nppg.policy.policy import Policy
+from nppg.rrl.options import TGOptions
 from nppg.rules.distill import distill
 from nppg.trees.tilde import grow
 from nppg.trees.tree import Rule, from_rules, rules
@@ -138,6 +140,24 @@ def test_pruning_never_loses_success(four_blocks: Domain, plain_bias) -> None:
         dropped += sum(len(rule.query) + 1 for rule in ordered) - sum(len(rule.query) + 1 for rule in pruned)
         gained += after > before
     assert dropped > 20 and gained
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_a_value_function_is_distilled_from_what_it_does(plain_bias, monkeypatch: pytest.MonkeyPatch, exact) -> None:
+    """Its best actions, whatever it once explored with."""
+    domain = Domain("blocks_world", {"blocks": 4})
+    *_, last = nppg.rrl.training.train(domain, plain_bias, TGOptions(episodes=400, min_sample=40, significance=0.1))
+    policy = last.policy
+    monkeypatch.setattr(Domain, "is_countable", property(lambda _: exact))
+    judge = nppg.rules.distill._Judge(policy, root_table(domain, plain_bias, Refiner(plain_bias)), plain_bias)
+    states, actions, shares = judge.preferences()
+    assert set(shares) == {0.0, 1.0}
+    met = list(dict.fromkeys(states))
+    for state in met:
+        legal = domain.situation(state).actions
+        q = dict(zip(legal, policy.potentials(state, legal), strict=True))
+        own = [(a, share) for s, a, share in zip(states, actions, shares, strict=True) if s == state]
+        assert {a for a, share in own if share} == {a for a in legal if q[a] >= max(q.values()) - 1e-12}
 
 
 def test_no_more_rules_than_wanted(four_blocks: Domain, plain_bias) -> None:

@@ -35,7 +35,7 @@ def test_examples_look_one_step_ahead(learned: QFunction) -> None:
 
     rng, discount, ended = np.random.default_rng(0), learned.options.discount, set()
     for _ in range(60):
-        episode = generate_episode(learned, rng)
+        episode = generate_episode(learned, rng, learning=True)
         found = examples(episode, learned)
         assert [each.state for each in found] == [step.state for step in reversed(episode.steps)]
         states = [*(step.state for step in episode.steps[1:]), episode.last]
@@ -115,6 +115,22 @@ def test_value_functions_play_greedily(learned: QFunction, tmp_path: Path, capsy
     for seed in range(20):
         chosen = learned.act(state, np.random.default_rng(seed))
         assert potentials[actions.index(chosen)] == pytest.approx(potentials.max())
+
+
+def test_value_functions_act_greedily_wherever_they_do_not_learn(learned: QFunction) -> None:
+    """So does one that explores at random."""
+    from nppg.learning.episode import generate_episode
+
+    policy, rng = QFunction(learned.regressor, QOptions(temperature=1e9)), np.random.default_rng(0)
+    worse = {
+        learning: sum(
+            bool(step.potentials[step.chosen] < step.potentials.max())
+            for _ in range(40)
+            for step in generate_episode(policy, rng, learning=learning).steps
+        )
+        for learning in (False, True)
+    }
+    assert worse[False] == 0 < worse[True]
 
 
 def test_value_functions_are_evaluated_greedily(learned: QFunction) -> None:

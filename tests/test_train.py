@@ -13,11 +13,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from nppg.errors import NppgError
 from nppg.judging.evaluation import evaluate, evaluate_exactly
 from nppg.learning.critic import critic
-from nppg.learning.episode import generate_episode
+from nppg.learning.episode import generate_episode, longest
 from nppg.learning.gradient import functional_gradient
 from nppg.learning.options import Options
 from nppg.learning.training import examples, train
@@ -161,11 +163,23 @@ def test_episodes_are_chains_of_legal_steps(four_blocks: Domain, plain_bias) -> 
             assert four_blocks.act(step.state, step.actions[step.chosen], rng) == (step.reward, after)
 
 
+@given(st.integers(0, 10**6), st.integers(0, 10**4))
+def test_an_episode_is_as_long_as_the_factor_says(horizon: int, thousandths: int) -> None:
+    """As written in decimals, though the factor is none in binary."""
+    assert longest(horizon, thousandths / 1000) == -(-thousandths * horizon // 1000)
+
+
+def test_lengths_that_floats_cannot_hold() -> None:
+    assert longest(10**9, 1e308) == 10**9 * int(1e308)
+    assert longest(10**9, 1e-300) == 1 and longest(10**9, 0.0) == longest(0, 2.5) == 0
+    assert longest(10**9, 1 + 1e-9) == 10**9 + 1 and longest(10**9, 1.0) == 10**9
+
+
 def test_the_horizon_factor_lengthens_episodes(four_blocks: Domain, plain_bias) -> None:
     for factor in (0.5, 2.5):
         ratios = []
         for episode in episodes(four_blocks, plain_bias, horizon_factor=factor):
-            limit = math.ceil(factor * four_blocks.horizon(episode.steps[0].state))
+            limit = longest(four_blocks.horizon(episode.steps[0].state), factor)
             assert len(episode.steps) <= limit and (episode.success or len(episode.steps) == limit)
             ratios.append(len(episode.steps) / four_blocks.horizon(episode.steps[0].state))
         assert max(ratios) > 1 if factor > 1 else min(ratios) < 1

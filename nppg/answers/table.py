@@ -18,9 +18,8 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, is_open
 from nppg.bridge.prolog import ask, drop_with
 from nppg.bridge.terms import encoded
-from nppg.logic.query import OPEN, Literal, Query, opened, variables
 from nppg.errors import NppgError
-from nppg.logic.query import OPEN, Literal, Query, Var, opened, variables
+from nppg.logic.query import OPEN, Literal, Query, opened, variables
 from nppg.worlds.domain import Action, Domain, State
 
 WORD = 60  # tests in one integer: it stays a small one in Prolog

@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     at_least("seed", options.seed, 0)
     policy = loading.policy(options)
-    episode = generate_episode(policy, np.random.default_rng(options.seed), greedy=policy.greedy)
+    episode = generate_episode(policy, np.random.default_rng(options.seed))
     for number, step in enumerate(episode.steps, 1):
         print(*policy.domain.picture(step.actual), "", *_seen(policy, step.state), f"step {number}", sep="\n")
         pairs = zip(step.actions, step.potentials if policy.greedy else step.probabilities, strict=True)

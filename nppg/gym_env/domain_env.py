@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -11,7 +10,7 @@ import numpy as np
 
 from nppg.bridge.terms import texts
 from nppg.errors import NppgError, Problem
-from nppg.learning.episode import IDLE
+from nppg.learning.episode import IDLE, longest
 from nppg.learning.options import Options
 from nppg.worlds.domain import Action, State
 from nppg.worlds.opening import open_domain
@@ -126,7 +125,7 @@ class DomainEnv(gymnasium.Env):
         super().reset(seed=seed)
         for _ in range(IDLE):
             self.state = self.domain.start(self.np_random)
-            self._limit = math.ceil(self.horizon_factor * self.domain.horizon(self.state))
+            self._limit = longest(self.domain.horizon(self.state), self.horizon_factor)
             self._look()
             if self._status == "running" and self._limit > 0:
                 self._steps = 0

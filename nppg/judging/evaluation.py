@@ -10,7 +10,7 @@ import numpy as np
 
 from nppg.errors import NppgError
 from nppg.judging.space import Space
-from nppg.learning.episode import generate_episode
+from nppg.learning.episode import generate_episode, longest
 from nppg.learning.options import at_least
 from nppg.policy.gibbs import best_of_groups, gibbs_of_groups
 from nppg.policy.policy import Policy
@@ -115,7 +115,7 @@ class ExactEvaluator:
         flow = self.probabilities(greedy)[space.origin] * space.weight
         source = space.owner[space.origin]
         goal = np.array([float(status == "goal") for status in space.status])
-        limits = np.array([math.ceil(horizon_factor * horizon) for horizon in space.horizons])
+        limits = self._limits(horizon_factor)
         value, length = goal, np.zeros(len(goal))
         success, steps = np.zeros(len(goal)), np.zeros(len(goal))
         for t in range(1, limits.max(initial=0) + 1):
@@ -123,6 +123,10 @@ class ExactEvaluator:
             length = space.running + np.bincount(source, flow * length[space.target], len(goal))
             success[limits == t], steps[limits == t] = value[limits == t], length[limits == t]
         return success * space.running, steps * space.running
+
+    def _limits(self, horizon_factor: float) -> np.ndarray:
+        """The steps after which an episode ends that starts in each class."""
+        return np.array([longest(horizon, horizon_factor) for horizon in self.space.horizons])
 
     def certain(self, greedy: bool = False) -> np.ndarray:
         """From which start classes no possible course misses the goal; without probabilities, so nothing is rounded.
@@ -149,9 +153,9 @@ class ExactEvaluator:
         heads = np.searchsorted(space.owner, np.arange(len(space.states) + 1))  # first pair of each class
         outcomes = np.searchsorted(space.origin, np.arange(len(space.owner) + 1))
         chance, weight = np.cumsum(self.probabilities(greedy)), np.cumsum(space.weight)
-        limits = np.ceil(horizon_factor * np.array(space.horizons)[starts])
+        limits = self._limits(horizon_factor)[starts]
         now, goal = np.array(starts), np.array([status == "goal" for status in space.status])
-        for t in range(int(limits.max(initial=0))):
+        for t in range(limits.max(initial=0)):
             acting = np.flatnonzero(space.running[now] & (t < limits))
             pairs = _drawn(chance, heads[now[acting]], heads[now[acting] + 1], rng)
             now[acting] = space.target[_drawn(weight, outcomes[pairs], outcomes[pairs + 1], rng)]

@@ -34,13 +34,11 @@ class Critic(Protocol):
 class MonteCarlo:
     """Values are returns: there is no critic."""
 
-    def __init__(self, domain: Domain, options: Options):
-        self.domain = domain
+    def __init__(self, options: Options):
         self.options = options
 
     def visits(self, episode: Episode) -> list[Visit]:
-        values = returns([step.reward for step in episode.steps], self.options.discount)
-        return _visits(episode, values, self.domain)
+        return _visits(episode, returns([step.reward for step in episode.steps], self.options.discount))
 
     def learn(self, visits: Sequence[Visit]) -> None:
         pass
@@ -74,7 +72,7 @@ class ValueFunction:
         rewards = [step.reward for step in episode.steps]
         follows = episode.open and self.options.cut_off == "bootstrap"
         found = advantages(rewards, values, last if follows else 0.0, self.options.discount, self.options.trace)
-        return _visits(episode, found, self.trees.domain)
+        return _visits(episode, found)
 
     def learn(self, visits: Sequence[Visit]) -> None:
         """From the policy's own steps: V is its value, not the expert's."""
@@ -92,9 +90,12 @@ class ValueFunction:
 
 def critic(domain: Domain, bias: LanguageBias, options: Options) -> Critic:
     """The one that the options ask for."""
-    return ValueFunction(domain, bias, options) if options.critic == "value" else MonteCarlo(domain, options)
+    return ValueFunction(domain, bias, options) if options.critic == "value" else MonteCarlo(options)
 
 
-def _visits(episode: Episode, values: np.ndarray, domain: Domain) -> list[Visit]:
-    guided = episode.guided and domain.has_expert
-    return [Visit(step, value, guided) for step, value in zip(episode.steps, values.tolist(), strict=True)]
+def _visits(episode: Episode, values: np.ndarray) -> list[Visit]:
+    last = max((t for t, step in enumerate(episode.steps) if step.guided), default=-1)
+    return [
+        Visit(step, value, t <= last)
+        for t, (step, value) in enumerate(zip(episode.steps, values.tolist(), strict=True))
+    ]

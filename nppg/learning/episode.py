@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
 
 import numpy as np
 
@@ -14,13 +16,14 @@ from nppg.policy.policy import Policy, choose, choose_best
 from nppg.worlds.domain import Action, State, World
 
 IDLE = 1000  # episodes in a row without a step, after which there is nothing to wait for
+_ROUNDING = Fraction(1, 10**12)  # what is so near to a whole number, relatively, is one
 
 
 @dataclass(frozen=True, slots=True)
 class Step:
     """A state as the policy sees it, with its legal actions, the answers to the policy's tests about them (shape
-    (actions, tests)), their potentials and probabilities, the index of the action taken, and the reward; and the state
-    as it is."""
+    (actions, tests)), their potentials and probabilities, the index of the action taken, and the reward; the state as
+    it is; and whether the domain's expert, who sees it so, chose the action."""
 
     state: State
     actions: Sequence[Action]
@@ -30,20 +33,33 @@ class Step:
     chosen: int
     reward: float
     actual: State
+    guided: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Episode:
     """The steps, the last state as the policy sees it, its legal actions (none where it is a goal or terminal state, so
-    some where the episode was cut off), and whether it is a goal state. `guided`: the expert, who sees states as they
-    are, chose the actions. `actual`: the last state as it is."""
+    some where the episode was cut off), and whether it is a goal state. `actual`: the last state as it is."""
 
     steps: tuple[Step, ...]
     last: State
     open: Sequence[Action]
     success: bool
-    guided: bool
     actual: State
+
+    @property
+    def guided(self) -> bool:
+        """Whether the expert chose an action."""
+        return any(step.guided for step in self.steps)
+
+
+@lru_cache
+def longest(horizon: int, factor: float) -> int:
+    """The steps after which an episode ends: `factor` times the horizon, rounded up. A product that is whole but for
+    the rounding of the factor is whole: 1.1 times 50 is 55."""
+    exact = Fraction(factor) * horizon
+    whole = round(exact)
+    return whole if abs(exact - whole) <= exact * _ROUNDING else math.ceil(exact)
 
 
 def generate_episode(
@@ -52,20 +68,23 @@ def generate_episode(
     guidance: float = 0.0,
     horizon_factor: float = 1.0,
     greedy: bool = False,
+    learning: bool = False,
 ) -> Episode:
     """Draws a start state and acts until the episode ends: in a goal or terminal state, or cut off, by its environment
     or after horizon_factor times the domain's horizon.
 
-    With probability `guidance` the whole episode is a trace of the domain's expert. Raises NppgError where the
-    domain's code is at fault.
+    With probability `guidance` the whole episode is a trace of the domain's expert; where it has no advice, the policy
+    acts: greedily, if it is to or does so wherever it does not learn. Raises NppgError where the domain's code is at
+    fault.
     """
     domain: World = policy.domain
+    greedy = greedy or (policy.greedy and not learning)
     guided = guidance > 0 and bool(rng.random() < guidance)
     state = domain.start(rng)
-    limit = math.ceil(horizon_factor * domain.horizon(state))
+    most = longest(domain.horizon(state), horizon_factor)
     steps: list[Step] = []
     status, actions = domain.situation(state)
-    while status == "running" and len(steps) < limit:
+    while status == "running" and len(steps) < most:
         seen = domain.observe(state, rng)
         answers = policy.answers(seen, actions)
         potentials = policy.potentials_of(answers)
@@ -76,10 +95,10 @@ def generate_episode(
         else:
             chosen = choose_best(potentials, rng) if greedy else choose(probabilities, rng)
         reward, following = domain.act(state, actions[chosen], rng)
-        steps.append(Step(seen, actions, answers, potentials, probabilities, chosen, reward, state))
+        steps.append(Step(seen, actions, answers, potentials, probabilities, chosen, reward, state, bool(advice)))
         state = following
         status, actions = domain.situation(state)
-    return Episode(tuple(steps), domain.observe(state, rng), actions, status == "goal", guided, state)
+    return Episode(tuple(steps), domain.observe(state, rng), actions, status == "goal", state)
 
 
 def training_episodes(policy: Policy, rng: np.random.Generator, options: Common) -> Iterator[Episode]:
@@ -87,7 +106,7 @@ def training_episodes(policy: Policy, rng: np.random.Generator, options: Common)
     step any more."""
     idle = 0
     for _ in range(options.episodes):
-        episode = generate_episode(policy, rng, options.guidance, options.horizon_factor)
+        episode = generate_episode(policy, rng, options.guidance, options.horizon_factor, learning=True)
         idle = 0 if episode.steps else idle + 1
         if idle == IDLE:
             message = f"{idle} episodes took no step: their starts were goal or terminal states, or the horizon 0"

@@ -14,7 +14,8 @@ from nppg.policy.policy import Policy
 
 
 class Visit(NamedTuple):
-    """A step and its value: its return, or its advantage. `guided`: an expert chose the action."""
+    """A step and its value: its return, or its advantage. `guided`: an expert chose the action or a later one, so that
+    the value is not the policy's."""
 
     step: Step
     value: float

@@ -21,7 +21,7 @@ from nppg.bias.refinement import Refiner
 from nppg.judging.evaluation import ExactEvaluator, evaluate, merit
 from nppg.learning.episode import generate_episode
 from nppg.logic.subsumption import deciding_tests
-from nppg.policy.gibbs import gibbs
+from nppg.policy.gibbs import best
 from nppg.policy.policy import Policy
 from nppg.trees.tilde import grow
 from nppg.trees.tree import Rule, Tree, from_rules, rules
@@ -73,14 +73,16 @@ class _Judge:
         self._known: dict[tuple[Rule, ...], float] = {}
 
     def preferences(self) -> tuple[list[State], list[Action], np.ndarray]:
-        """States with their actions, and the probability of each action as a share of the best one's."""
+        """States with their actions, and the probability of each action as a share of the best one's: 0 or 1 where the
+        policy is greedy."""
         states: list[State] = []
         actions: list[Action] = []
         shares: list[np.ndarray] = []
-        for state, legal, probabilities in self._met():
+        for state, legal, potentials in self._met():
             states += [state] * len(legal)
             actions += legal
-            shares.append(probabilities / probabilities.max())
+            greedy = self.original.greedy
+            shares.append(best(potentials).astype(float) if greedy else np.exp(potentials - potentials.max()))
         return states, actions, np.concatenate(shares)
 
     def _met(self) -> Iterator[tuple[State, list[Action], np.ndarray]]:
@@ -88,12 +90,12 @@ class _Judge:
             space, potentials = self.exact.space, self.exact.potentials()
             for number, (state, legal) in enumerate(zip(space.states, space.actions, strict=True)):
                 if legal:
-                    yield state, legal, gibbs(potentials[space.owner == number])
+                    yield state, legal, potentials[space.owner == number]
         else:
             rng = np.random.default_rng(0)
             for _ in range(_EPISODES):
                 for step in generate_episode(self.original, rng).steps:
-                    yield step.state, list(step.actions), step.probabilities
+                    yield step.state, list(step.actions), step.potentials
 
     def policy(self, ordered: list[Rule]) -> Policy:
         """The policy whose only tree has these rules."""

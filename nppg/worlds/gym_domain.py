@@ -19,9 +19,8 @@ import numpy as np
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.interrupts import heed_interrupt
 from nppg.errors import NppgError, Problem
-from nppg.worlds.domain import Action, Domain, Interpretation, Outcome, Situation, State
 from nppg.worlds import gym_values
-from nppg.worlds.domain import Action, Domain, Outcome, Situation, State
+from nppg.worlds.domain import Action, Domain, Interpretation, Outcome, Situation, State
 from nppg.worlds.gym_files import bias_text, domain_text
 from nppg.worlds.gym_make import Made, make, told
 

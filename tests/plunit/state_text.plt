@@ -1,23 +1,26 @@
-:- use_module('../../prolog/loading').
 :- use_module('../../prolog/state_text').
+:- use_module('../../prolog/loading').
 :- use_module(worlds).
 
-:- dynamic told/1.
+:- dynamic sea/1.
 
-:- begin_tests(state_text, [ setup((ferry([], M), assertz(user:told(M)))),
-                             cleanup((retract(user:told(M)), unload_domain(M))) ]).
+:- begin_tests(state_text, [ setup((ferry([], M), assertz(user:sea(M)))),
+                             cleanup((retract(user:sea(M)), unload_domain(M))) ]).
 
-state(Text, Facts) :-
-    user:told(Module),
-    read_state(Module, Text, ['at/2', 'boat/1'], Facts).
+facts(Text, Facts) :-
+    sea(M),
+    read_state(M, Text, ['boat/1', 'car/2', 'fuel/1'], Facts).
 
-test(sorted, Facts == []) :-
-    state("", Facts).
-test(no_fluent, throws(nppg_problems([-('', 0, 0, _, 'att/2', ['at/2', 'boat/1'])]))) :-
-    state("att(a, b)", _).
-test(number, throws(nppg_problems([-('', 0, 0, '3 is no fact of a declared fluent', '', _)]))) :-
-    state("3", _).
-test(syntax, throws(nppg_problems([-('', 0, 0, _)]))) :-
-    state("att(a", _).
+test(sorted, Facts == [boat(left), fuel(2), car(c1, left)]) :-
+    facts('fuel(2), car(c1, left), boat(left), fuel(2)', Facts).
+test(empty, Facts == []) :-
+    facts('', Facts).
+test(no_list, throws(nppg_problems([-('', 0, 0, _)]))) :-
+    facts('boat(', _).
+test(no_fluent, throws(nppg_problems([-('', 0, 0,
+                                       'ship(left) is no fact of a declared fluent', 'ship/1', ['boat/1', 'car/2', 'fuel/1'])]))) :-
+    facts('boat(left), ship(left)', _).
+test(unbound, throws(nppg_problems([-('', 0, 0, 'boat(_) is no fact (it has an unbound variable)')]))) :-
+    facts('boat(_)', _).
 
 :- end_tests(state_text).
