@@ -4,7 +4,6 @@ The names below are the public interface; they are loaded, and Prolog with them,
 """
 
 from importlib import import_module
-from importlib.metadata import version
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -61,7 +60,7 @@ _HOME = {
 
 def __getattr__(name: str) -> object:
     if name == "__version__":
-        return version("nppg")
+        return import_module("importlib.metadata").version("nppg")  # which takes long to load
     if name not in _HOME:
         raise AttributeError(f"module 'nppg' has no attribute '{name}'")
     home = _HOME[name]

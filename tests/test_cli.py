@@ -148,3 +148,15 @@ def test_a_terminal_gets_a_progress_bar(tmp_path: Path) -> None:
         pass
     assert process.wait(timeout=30) == 0
     assert b"30/30" in shown and b"trees=" in shown
+
+
+@pytest.mark.parametrize("delay", [0.15, 0.25, 0.35, 0.5, 0.8, 1.2])
+def test_an_interrupt_while_starting_ends_with_status_130(delay: float, tmp_path: Path) -> None:
+    ready = "import sys, time; from nppg.cli.main import main; print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
+    arguments = ["train", "blocks_world", "--episodes", "100000", "--evaluate-every", "0", "--output", str(tmp_path)]
+    command = [sys.executable, "-c", ready, *arguments]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout and process.stdout.readline() == "ready\n"
+        time.sleep(delay)
+        process.send_signal(signal.SIGINT)
+        assert (process.communicate(timeout=60)[1], process.returncode) == ("interrupted\n", 130)

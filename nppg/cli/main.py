@@ -1,42 +1,21 @@
-"""Runs the verb that the first argument names. Its module, and Prolog with it, is loaded only when it is called."""
+"""The command line's way in: Ctrl-C is heeded from the first moment on, so nothing else is loaded before."""
 
 from __future__ import annotations
 
-import argparse
 import signal
 import sys
 from collections.abc import Sequence
 from importlib import import_module
-from importlib.metadata import version
 
 from nppg.bridge.interrupts import interruptible
-from nppg.cli.arguments import Parser
-from nppg.errors import NppgError, suggestion
-
-VERBS = {
-    "doctor": "look whether everything that nppg needs is there",
-    "new": "write a commented domain and language bias to start from",
-    "check": "report every mistake in a domain and its language bias",
-    "train": "learn a policy",
-    "evaluate": "measure a policy's success",
-    "show": "print a policy's trees",
-    "play": "draw one episode step by step",
-    "distill": "write few rules that choose like a policy of many trees",
-    "prove": "show from which start states a policy can fail, and write a certificate",
-    "reproduce": "do an experiment of the paper: its runs, its figure, a report",
-}
-_ABOUT = "Learn to act in structured worlds by non-parametric policy gradients, and read what was learned as rules."
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs one command. Returns the exit status: 0, 2 after a mistake, 130 after Ctrl-C."""
-    arguments = sys.argv[1:] if arguments is None else arguments
     try:
         with interruptible():
-            return _run(arguments)
-    except NppgError as error:
-        print(error, file=sys.stderr)
-        return 2
+            status: int = import_module("nppg.cli.verbs").run(sys.argv[1:] if arguments is None else arguments)
+            return status
     except KeyboardInterrupt:
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second Ctrl-C is not to change the status
         print("interrupted", file=sys.stderr)
@@ -44,31 +23,3 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BrokenPipeError:
         sys.stderr.close()
         return 0
-
-
-def _run(arguments: Sequence[str]) -> int:
-    name, *rest = arguments or ["--help"]
-    if name.startswith("-"):
-        _overview().parse_args([name])
-        raise NppgError(f"{name} is no option of nppg: see nppg --help")
-    if name not in VERBS:
-        raise NppgError(f"there is no command {name}{suggestion(name, VERBS)}: see nppg --help")
-    verb = import_module(f"nppg.cli.{name}")
-    parser = Parser(prog=f"nppg {name}", description=f"{VERBS[name].capitalize()}.", allow_abbrev=False)
-    verb.add_arguments(parser)
-    status: int = verb.run(parser.parse_args(rest, argparse.Namespace(arguments=arguments)))
-    return status
-
-
-def _overview() -> Parser:
-    width = max(map(len, VERBS)) + 2
-    commands = "\n".join(f"  {name:{width}}{what}" for name, what in VERBS.items())
-    parser = Parser(
-        prog="nppg",
-        usage="nppg COMMAND ...",
-        description=f"{_ABOUT}\n\ncommands (nppg COMMAND --help tells their options):\n{commands}",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        allow_abbrev=False,
-    )
-    parser.add_argument("--version", action="version", version=f"nppg {version('nppg')}")
-    return parser

@@ -1,0 +1,63 @@
+"""The verbs, and how one is run. Its module, and Prolog with it, is loaded only when it is called."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+from importlib.metadata import version
+
+from nppg.cli.arguments import Parser
+from nppg.errors import NppgError, suggestion
+
+VERBS = {
+    "doctor": "look whether everything that nppg needs is there",
+    "new": "write a commented domain and language bias to start from",
+    "check": "report every mistake in a domain and its language bias",
+    "train": "learn a policy",
+    "evaluate": "measure a policy's success",
+    "show": "print a policy's trees",
+    "play": "draw one episode step by step",
+    "distill": "write few rules that choose like a policy of many trees",
+    "prove": "show from which start states a policy can fail, and write a certificate",
+    "reproduce": "do an experiment of the paper: its runs, its figure, a report",
+}
+_ABOUT = "Learn to act in structured worlds by non-parametric policy gradients, and read what was learned as rules."
+
+
+def run(arguments: Sequence[str]) -> int:
+    """The exit status of the command that the arguments are: 2 after a mistake, which is printed."""
+    try:
+        return _run(arguments)
+    except NppgError as error:
+        print(error, file=sys.stderr)
+        return 2
+
+
+def _run(arguments: Sequence[str]) -> int:
+    name, *rest = arguments or ["--help"]
+    if name.startswith("-"):
+        _overview().parse_args([name])
+        raise NppgError(f"{name} is no option of nppg: see nppg --help")
+    if name not in VERBS:
+        raise NppgError(f"there is no command {name}{suggestion(name, VERBS)}: see nppg --help")
+    verb = import_module(f"nppg.cli.{name}")
+    parser = Parser(prog=f"nppg {name}", description=f"{VERBS[name].capitalize()}.", allow_abbrev=False)
+    verb.add_arguments(parser)
+    status: int = verb.run(parser.parse_args(rest, argparse.Namespace(arguments=arguments)))
+    return status
+
+
+def _overview() -> Parser:
+    width = max(map(len, VERBS)) + 2
+    commands = "\n".join(f"  {name:{width}}{what}" for name, what in VERBS.items())
+    parser = Parser(
+        prog="nppg",
+        usage="nppg COMMAND ...",
+        description=f"{_ABOUT}\n\ncommands (nppg COMMAND --help tells their options):\n{commands}",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    parser.add_argument("--version", action="version", version=f"nppg {version('nppg')}")
+    return parser
