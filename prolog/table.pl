@@ -5,7 +5,6 @@
             rows/4               % +Table, +Actions, -Kinds, -Words           det
           ]).
 
-:- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [exclude/3, foldl/4]).
 :- use_module(library(lists), [append/3, member/2, memberchk/2, nth0/3]).
 :- use_module(blame).
@@ -101,11 +100,18 @@ rows(Table, Actions, Kinds, Words) :-
 %   At most so many answers: those of 60 tests a word.
 
 asked(Kinds, Table, Actions, Asked) :-
-    aggregate_all(max(Count), ( member(Kind, Kinds), words(Table, Kind, Words), length(Words, Count) ), Most),
-    !,
+    most_words(Kinds, Table, 0, Most),
     length(Actions, Length),
     Asked is 60*Most*Length.
-asked(_, _, _, 0).
+
+most_words([], _, Most, Most).
+most_words([Kind|Kinds], Table, Most0, Most) :-
+    (   words(Table, Kind, Words)
+    ->  length(Words, Count),
+        Most1 is max(Most0, Count)
+    ;   Most1 = Most0
+    ),
+    most_words(Kinds, Table, Most1, Most).
 
 kinds_and_roots([], _, _, [], []).
 kinds_and_roots([Action|Actions], Table, GoalValues, [Kind|Kinds], [Roots|AllRoots]) :-
