@@ -638,10 +638,13 @@ def test_what_is_no_number_is_told_with_its_predicate(tmp_path: Path, odd: str, 
     with pytest.raises(NppgError) as caught:
         root_table(domain, bias, refiner).answers(state, actions_of(state))
     (found,) = caught.value.problems
+    mode = bias.file, bias_text.splitlines().index('  - "+mass =< #"') + 1, 6
     assert problem in found.message and "\n" not in found.message
+    assert (found.file, found.line, found.column) == mode
     if not goal:
         line = DEPOT.splitlines().index("measured(X, W) :- weight(X, W).") + 1
-        assert (found.file, found.line) == (str(domain.path), line)
+        place = f"+mass =< # compares what is no number: {domain.path}:{line}: "
+        assert found.message.startswith(place)
         bias = LanguageBias.parse(
             bias_text.replace(", lookahead: 1}", "}").replace("lookahead: 2", "lookahead: 0"), "b"
         )
@@ -651,7 +654,9 @@ def test_what_is_no_number_is_told_with_its_predicate(tmp_path: Path, odd: str, 
         bounds = [each for each in refiner.refinements(query) if each.is_open]
         with pytest.raises(NppgError) as caught:
             coverage.matrix(bounds, np.arange(1), {})
-        assert problem in caught.value.problems[0].message and caught.value.problems[0].line == line
+        (found,) = caught.value.problems
+        assert found.message.startswith(place + problem.removesuffix(", in the state"))
+        assert (found.file, *mode[1:]) == ("b", found.line, found.column)
 
 
 def test_an_argument_that_is_no_number(depot) -> None:
@@ -661,8 +666,11 @@ def test_an_argument_that_is_no_number(depot) -> None:
         table.answers((("limit", 1),), [("go", "far")])
     (found,) = caught.value.problems
     line = DEPOT.splitlines().index("action(lift(X)) :- member(X, [a, b, c]).") + 1
-    assert (found.file, found.line) == (str(domain.path), line)
-    assert "action/1 gave far, which is compared with a threshold and is no number" in found.message
+    place = bias.file, DEPOT_BIAS.splitlines().index('  - "+distance =< #"') + 1, 6
+    assert (found.file, found.line, found.column) == place
+    assert found.message.startswith(
+        f"+distance =< # compares what is no number: {domain.path}:{line}: action/1 gave far"
+    )
 
 
 def test_numbers_that_prolog_and_python_round(depot) -> None:

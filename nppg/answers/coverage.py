@@ -17,6 +17,7 @@ from nppg.answers.table import WORD, Table, TestTable, encoded, measure, unpacke
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, Refiner
 from nppg.bridge.prolog import ask
+from nppg.errors import NppgError
 from nppg.logic.query import Literal, Query
 from nppg.worlds.domain import Action, Domain, State
 
@@ -86,7 +87,11 @@ class Coverage:
         bounds = [each.test for each in candidates if each.is_open]
         asked = [[encoded(prefix), [encoded(each.literals) for each in pack]] for prefix, pack in packs]
         self.table.domain.forget()
-        words = ask("cover", self.table.name, [*asked, *map(measure, bounds)], members.tolist())
+        try:
+            words = ask("cover", self.table.name, [*asked, *map(measure, bounds)], members.tolist())
+        except NppgError as error:
+            pairs = [(self.states[i], [self.actions[i]]) for i in members]
+            raise self.table.located(error, [each.test for each in candidates], pairs) from None
         by_pack = [words[i :: len(packs) + len(bounds)] for i in range(len(packs) + len(bounds))]
         answers: dict[Query, np.ndarray] = {}
 

@@ -11,7 +11,9 @@ from functools import partial
 
 import numpy as np
 
+from nppg.answers.comparing import at_mode, mode_of
 from nppg.answers.table import Table
+from nppg.bias.declarations import Mode
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, is_open
 from nppg.errors import NppgError, Problem
@@ -69,10 +71,10 @@ class FactTable(Table):
         self._known.clear()
         for column in columns:
             test = self.tests[column]
-            bounds = [each for each in test if each.name in OPEN]
-            literal = next((each for each in test if each not in bounds), None)
+            bounds = [(each, mode_of(each, test, self.bias)) for each in test if each.name in OPEN]
+            literal = next((each for each in test if each.name not in OPEN), None)
             if literal is None or literal.name in (KIND, "="):
-                reader = partial(self._of_action, test[0])
+                reader = partial(self._of_action, test[0], bounds[0][1] if bounds else None)
                 self._readers["action"].append((column, reader))
                 continue
             places = [i for i, arg in enumerate(literal.args) if not self._is_existential(arg)]
@@ -89,10 +91,10 @@ class FactTable(Table):
     def _is_existential(self, term: Term) -> bool:
         return isinstance(term, Var) and term.index >= len(self.bias.roots)
 
-    def _of_action(self, literal: Literal, _: Facts, roots: Roots) -> float:
+    def _of_action(self, literal: Literal, mode: Mode | None, _: Facts, roots: Roots) -> float:
         if literal.name in OPEN:
             value = _value(literal.args[0], roots)
-            return np.inf if value is None else _sign(literal) * self._number(value, "action/1")
+            return np.inf if value is None else _sign(literal) * self._number(value, "action/1", mode)
         if literal.name == KIND:
             return float(roots[_KIND] != literal.args[0])
         left, right = (_value(arg, roots) for arg in literal.args)
@@ -101,31 +103,36 @@ class FactTable(Table):
     def _of_fluent(self, shape: Shape, literal: Literal, least: Least, facts: Facts, roots: Roots) -> float:
         return least(facts.get(_key(shape, [_value(arg, roots) for arg in literal.args]), ()))
 
-    def _least(self, literal: Literal, bounds: Sequence[Literal]) -> Least:
+    def _least(self, literal: Literal, bounds: Sequence[tuple[Literal, Mode | None]]) -> Least:
         """What the facts that match a literal answer: the least number among those within the closed bounds."""
         source = f"{literal.name}/{len(literal.args)}"
-        places = [(literal.args.index(each.args[0]), _sign(each), each) for each in bounds]
-        closed = [(place, sign, sign * float(each.args[1])) for place, sign, each in places if not is_open(each)]  # type: ignore[arg-type]
-        measured = next(((place, sign) for place, sign, each in places if is_open(each)), None)
+        places = [(literal.args.index(each.args[0]), _sign(each), each, mode) for each, mode in bounds]
+        closed = [
+            (place, sign, sign * float(each.args[1]), mode)  # type: ignore[arg-type]
+            for place, sign, each, mode in places
+            if not is_open(each)
+        ]
+        measured = next(((place, sign, mode) for place, sign, each, mode in places if is_open(each)), None)
 
         def least(found: Sequence[tuple]) -> float:
-            for place, sign, limit in closed:
-                found = [args for args in found if sign * self._number(args[place], source) <= limit]
+            for place, sign, limit, mode in closed:
+                found = [args for args in found if sign * self._number(args[place], source, mode) <= limit]
             if measured is None:
                 return 0.0 if found else 1.0
-            place, sign = measured
-            return min([sign * self._number(args[place], source) for args in found], default=np.inf)
+            place, sign, mode = measured
+            return min([sign * self._number(args[place], source, mode) for args in found], default=np.inf)
 
         return least
 
-    def _number(self, value: Ground, source: str) -> float:
+    def _number(self, value: Ground, source: str, mode: Mode | None) -> float:
         if isinstance(value, int | float) and not isinstance(value, bool) and value == value:
             try:
                 return float(value)
             except OverflowError:
                 return np.inf if value > 0 else -np.inf
         message = f"{source} gave {value}, which is compared with a threshold and is no number"
-        raise NppgError([Problem(str(self.domain.path), 0, 0, message)])
+        problem = Problem(str(self.domain.path), 0, 0, message)
+        raise NppgError([at_mode(problem, mode, self.bias) if mode else problem])
 
     def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         numbers = np.empty((len(actions), len(self)))

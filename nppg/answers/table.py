@@ -13,9 +13,11 @@ from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 
+from nppg.answers.comparing import located
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, is_open
 from nppg.bridge.prolog import ask, drop_with
+from nppg.errors import NppgError
 from nppg.logic.query import OPEN, Literal, Query, Var, opened, variables
 from nppg.worlds.domain import Action, Domain, State
 
@@ -167,6 +169,30 @@ class TestTable(Table):
         return tuple(used) if all(index in own for index in used) else None
 
     def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
+        try:
+            return self._asked(state, actions)
+        except NppgError as error:
+            bounded = [self.tests[column] for column in self.bounds]
+            raise self.located(error, bounded, [(state, actions)]) from None
+
+    def located(
+        self, error: NppgError, tests: Iterable[Query], pairs: Sequence[tuple[State, Sequence[Action]]]
+    ) -> NppgError:
+        """What tests have raised about actions in states, with the place of the bound that is to blame."""
+
+        def fails(test: Query) -> bool:
+            alone = TestTable(self.domain, self.bias)
+            alone.add([test])
+            try:
+                for state, actions in pairs:
+                    alone._asked(state, actions)
+            except NppgError:
+                return True
+            return False
+
+        return located(error, self.bias, tests, fails)
+
+    def _asked(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         self.domain.visit(state)
         kinds, words = ask("answers", self.name, actions)
         if len(set(kinds)) == 1:
