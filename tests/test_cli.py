@@ -13,10 +13,12 @@ import subprocess
 import sys
 import termios
 import time
+import warnings
 from pathlib import Path
 
 import pytest
 
+from nppg.cli.arguments import warnings_told
 from nppg.cli.main import main
 
 COMMAND = [sys.executable, "-m", "nppg"]
@@ -148,3 +150,13 @@ def test_a_terminal_gets_a_progress_bar(tmp_path: Path) -> None:
         pass
     assert process.wait(timeout=30) == 0
     assert b"30/30" in shown and b"trees=" in shown
+
+
+def test_a_warning_is_told_at_once_and_once(capsys: pytest.CaptureFixture[str]) -> None:
+    with warnings_told():
+        warnings.warn("mind the gap", stacklevel=1)
+        assert capsys.readouterr().err == "warning: mind the gap\n"
+        warnings.warn("mind the gap", stacklevel=1)
+        with warnings_told(False):
+            warnings.warn("the doors", stacklevel=1)
+    assert capsys.readouterr().err == ""
