@@ -92,6 +92,10 @@ class Table(ABC):
     def __len__(self) -> int:
         return len(self.tests)
 
+    def __reduce__(self) -> tuple:
+        """A copy prepares the tests for itself."""
+        return _again, (type(self), self.domain, self.bias, self.tests)
+
     def add(self, tests: Iterable[Query]) -> None:
         """Adds what is not there yet."""
         new = []
@@ -127,6 +131,12 @@ class Table(ABC):
                 self._columns.clear()
             self._columns[id(candidates)] = (len(self), candidates, found)
         return found
+
+
+def _again(kind: type[Table], domain: Domain, bias: LanguageBias, tests: Sequence[Query]) -> Table:
+    table = kind(domain, bias)
+    table.add(tests)
+    return table
 
 
 class TestTable(Table):

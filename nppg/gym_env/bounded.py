@@ -6,6 +6,7 @@ so what a policy sees is relational whatever it is made of. The state's legal ac
 
 from __future__ import annotations
 
+import copy
 import heapq
 from collections.abc import Mapping
 from pathlib import Path
@@ -62,6 +63,13 @@ class BoundedEnv(DomainEnv):
         highest[:, self._table.bounds] = np.finfo(np.float32).max
         self.observation_space = spaces.Box(np.where(highest == 1, 0, -highest), highest, dtype=np.float32)
         self.action_space = spaces.Discrete(self.slots)
+
+    def __deepcopy__(self, memo: dict) -> BoundedEnv:
+        """With the same table, to which nothing is ever added."""
+        twin = object.__new__(type(self))
+        memo |= {id(self): twin, id(self._table): self._table}
+        twin.__dict__.update(copy.deepcopy(self.__dict__, memo))
+        return twin
 
     @property
     def tests(self) -> list[str]:

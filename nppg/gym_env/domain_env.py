@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -119,6 +120,10 @@ class DomainEnv(gymnasium.Env):
         self._steps = self._limit = 0
         self.observation_space: spaces.Space = Facts(self.domain.fluents)
         self.action_space: spaces.Space = Choice()
+
+    def __copy__(self) -> DomainEnv:
+        """All of it, so that neither draws from the other's generator or acts in the other's environment."""
+        return copy.deepcopy(self)
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Draws a start state that leaves something to do. No options are known."""

@@ -40,21 +40,38 @@ class Policy:
         self.trees: list[Tree] = []
         self.comments: list[str] = []
         self.facts: Mapping[str, list] = {}  # what the head of its model file says, where it was read from one
-        signatures = [(each.name, each.types) for each in bias.actions] + list(bias.types.items())
-        self.name: str = ask("policy", domain.module, [[name, *types] for name, types in signatures])
-        drop_with(self, "policy_drop", self.name)
-        self._forest = Forest()
         self._leaves = 0
+        self._open()
 
     def add(self, tree: Tree, step_size: float = 1.0, comment: str = "") -> None:
         """Adds step_size * tree to the potential."""
         scaled = mapped(tree, lambda value: float(value * step_size))
-        ask("tree", self.name, [to_clause(rule, self.bias) for rule in rules(scaled)])
-        self.table.add(tests(scaled))
-        self._forest.add(scaled, self.table.place)
+        self._store(scaled)
         self.trees.append(scaled)
         self.comments.append(comment or f"{leaves(tree)} leaves")
         self._leaves += leaves(tree)
+
+    def _open(self) -> None:
+        """Makes the place in Prolog where the trees are stored, which goes with this object."""
+        signatures = [(each.name, each.types) for each in self.bias.actions] + list(self.bias.types.items())
+        self.name: str = ask("policy", self.domain.module, [[name, *types] for name, types in signatures])
+        drop_with(self, "policy_drop", self.name)
+        self._forest = Forest()
+
+    def _store(self, tree: Tree) -> None:
+        ask("tree", self.name, [to_clause(rule, self.bias) for rule in rules(tree)])
+        self.table.add(tests(tree))
+        self._forest.add(tree, self.table.place)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name not in ("name", "_forest")}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """A copy stores the trees for itself."""
+        vars(self).update(state, trees=list(state["trees"]), comments=list(state["comments"]))
+        self._open()
+        for tree in self.trees:
+            self._store(tree)
 
     def potentials(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """Psi(s, a) of each action, shape (actions,)."""

@@ -7,6 +7,7 @@ docs/domains.md is the reference of domain files.
 from __future__ import annotations
 
 import hashlib
+import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple, Protocol
@@ -64,8 +65,46 @@ class World(Protocol):
     def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]: ...
 
 
+class _Loaded:
+    """A loaded domain file: its module in Prolog, which stays until the last Domain of it is dropped, and which of the
+    states that these Domains visit is the current one."""
+
+    def __init__(self, path: Path, given: Mapping[str, int | float | str], source: bytes):
+        self.origin = (path, given, source)
+        self.module, entries = ask("load", str(path.resolve()), [list(each) for each in given.items()])
+        drop_with(self, "unload", self.module)
+        self.description = dict(entries)
+        self.current: State | None = None
+        self.situation: list | None = None  # that of the current state, where it is known
+
+    def __copy__(self) -> _Loaded:
+        return self
+
+    def __deepcopy__(self, memo: object) -> _Loaded:
+        return self
+
+    def __reduce__(self) -> tuple:
+        return _loaded_again, self.origin
+
+
+def _loaded_again(path: Path, given: Mapping[str, int | float | str], source: bytes) -> _Loaded:
+    """From the file, which may be another one by now or be missing, else from what it was."""
+    try:
+        if path.read_bytes() == source:
+            return _Loaded(path, given, source)
+    except OSError:
+        pass
+    with tempfile.TemporaryDirectory() as folder:
+        own = Path(folder, path.name)
+        own.write_bytes(source)
+        return _Loaded(own, given, source)
+
+
 class Domain:
     """An instance of a domain file with its parameters; it has its own module in Prolog until it is dropped.
+
+    Its copies share the module, because all that they are asked is about a state that they are given. Pickled it takes
+    the text of its file along.
 
     `name_or_path` is a shipped domain's name or a file. Raises NppgError with every mistake that can be found
     in the file, and from all methods for mistakes that show only when the domain's code runs.
@@ -78,9 +117,8 @@ class Domain:
             self.source = self.path.read_bytes()
         except OSError as error:
             raise NppgError([Problem(str(self.path), 0, 0, f"cannot be read: {error.strerror}")]) from None
-        self.module, entries = ask("load", str(self.path.resolve()), [list(each) for each in self.given.items()])
-        drop_with(self, "unload", self.module)
-        description = dict(entries)
+        self._loaded = _Loaded(self.path, self.given, self.source)
+        description = self._loaded.description
         self.name: str = description["name"]
         self.parameters: dict[str, int | float | str] = dict(description["parameters"])
         self.fluents = {tuple(each) for each in description["fluents"]}
@@ -93,8 +131,11 @@ class Domain:
         self.has_parts: bool = description["parts"] == "true"
         self.has_observation: bool = description["observation"] == "true"
         self.environment: str = description["environment"]  # of Gymnasium, which nppg.open_domain opens; or empty
-        self._current: State | None = None
-        self._situation: list | None = None  # that of the current state, where it is known
+
+    @property
+    def module(self) -> str:
+        """Its module in Prolog."""
+        return self._loaded.module
 
     @property
     def is_countable(self) -> bool:
@@ -115,27 +156,27 @@ class Domain:
 
     def visit(self, state: State) -> None:
         """Makes a state the current interpretation in Prolog."""
-        if state is not self._current:
+        if state is not self._loaded.current:
             self.forget()
             ask("visit", self.module, list(state))
-            self._current = state
+            self._loaded.current = state
 
     def forget(self) -> None:
         """To be called by who makes another state current behind this object's back."""
-        self._current = self._situation = None
+        self._loaded.current = self._loaded.situation = None
 
     def start(self, rng: np.random.Generator) -> State:
         """Draws a start state."""
         self.forget()
         with randomness(rng):
             state = Interpretation(ground(ask("draw", self.module)))
-        self._current = state
+        self._loaded.current = state
         return state
 
     def situation(self, state: State) -> Situation:
         """Whether the state ends an episode, and its legal actions in a fixed order."""
         self.visit(state)
-        status, actions = self._situation or ask("situation", self.module)
+        status, actions = self._loaded.situation or ask("situation", self.module)
         return Situation(status, compounds(actions))
 
     def horizon(self, state: State) -> int:
@@ -164,8 +205,8 @@ class Domain:
         self.visit(state)
         self.forget()
         with randomness(rng):
-            reward, facts, self._situation = ask("act", self.module, action)
-        self._current = following = Interpretation(ground(facts))
+            reward, facts, self._loaded.situation = ask("act", self.module, action)
+        self._loaded.current = following = Interpretation(ground(facts))
         return reward, following
 
     def reward(self, state: State, action: Action) -> float:

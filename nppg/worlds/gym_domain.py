@@ -6,6 +6,7 @@ environment alone: Prolog hears nothing of an episode unless something is asked 
 
 from __future__ import annotations
 
+import copy
 import math
 import re
 import tempfile
@@ -64,6 +65,18 @@ class GymDomain(Domain):
         self._state: State | None = None
         self._now = _ENDED
         self._check_file()
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name not in ("_read", "_masks")}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state)
+        self._read, _ = _reader(self._made)
+        self._masks = _method(self._made.env, _MASKS)
+
+    def __copy__(self) -> GymDomain:
+        """With an environment of its own, so that it goes on from where this one is, whatever this one does."""
+        return copy.deepcopy(self)
 
     def _check_file(self) -> None:
         """Raises NppgError where the file is about other facts or actions than those of the environment."""

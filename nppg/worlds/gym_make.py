@@ -6,7 +6,8 @@ import inspect
 import re
 import warnings
 from collections.abc import Mapping
-from dataclasses import dataclass
+from copy import deepcopy
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from nppg.errors import NppgError, suggestion
@@ -26,6 +27,13 @@ class Made:
     id: str
     env: Env
     horizon: int
+
+    def __deepcopy__(self, memo: dict) -> Made:
+        """Raises NppgError where the environment cannot be copied."""
+        try:
+            return replace(self, env=deepcopy(self.env, memo))
+        except Exception as error:  # whatever the code of an environment may raise
+            raise NppgError(f"gym:{self.id}: it cannot be copied: {told(error)}") from error
 
 
 def make(id: str, parameters: Mapping[str, int | float | str]) -> Made:
