@@ -104,18 +104,20 @@ def test_the_first_values_are_news() -> None:
     assert contents(instances) == {1: 1.0, 4: 0.0}
 
 
-def leave_one_out(points: Points, known: dict[int, float]) -> dict[int, float]:
+def leave_one_out(points: Points, known: dict[int, float], power: float) -> dict[int, float]:
     return {
-        each: abs(q - predicted(points, {other: known[other] for other in known if other != each}, each))
+        each: abs(q - predicted(points, {other: known[other] for other in known if other != each}, each, power))
         for each, q in known.items()
     }
 
 
-def growth(points: Points, known: dict[int, float], gone: int) -> float:
+def growth(points: Points, known: dict[int, float], gone: int, power: float = 1.0) -> float:
     """By how much the summed errors grow where one goes, whose own error has been 0."""
     rest = {each: q for each, q in known.items() if each != gone}
-    before = leave_one_out(points, known)
-    return before[gone] + math.fsum(leave_one_out(points, rest).values()) - math.fsum(before[each] for each in rest)
+    before = leave_one_out(points, known, power)
+    return (
+        before[gone] + math.fsum(leave_one_out(points, rest, power).values()) - math.fsum(before[each] for each in rest)
+    )
 
 
 def excess(points: Points, known: dict[int, float], pair: int, most: float) -> float:
@@ -126,13 +128,32 @@ def excess(points: Points, known: dict[int, float], pair: int, most: float) -> f
     )
 
 
+@pytest.mark.parametrize("power", [1.0, 2.0, 4.0, 8.0, 20.0])
 @pytest.mark.parametrize("count", [3, 4, 15, 40])
-def test_scores_of_removal(count: int) -> None:
+def test_scores_of_removal(count: int, power: float) -> None:
     points = Points(60, seed=count)
-    instances = filled(points, count, max_gradient=0.3)
+    instances = filled(points, count, max_gradient=0.3, power=power)
     known = contents(instances)
-    assert np.allclose(instances.error_contributions(), [growth(points, known, each) for each in known], atol=1e-4)
+    wanted = [growth(points, known, each, power) for each in known]
+    assert np.allclose(instances.error_contributions(), wanted, atol=1e-4)
     assert np.allclose(instances.variance_excess(), [excess(points, known, each, 0.3) for each in known], atol=1e-4)
+
+
+@pytest.mark.parametrize("power", [1.0, 2.0, 4.0, 5.0, 8.0, 12.0, 20.0])
+@pytest.mark.parametrize("unit", [1.0, 1e-6, 1e4])
+def test_what_costs_least_is_found_whatever_the_weights_range(power: float, unit: float) -> None:
+    """Points at whole distances on a line, of which some are much nearer to each other than to all others."""
+    rng = np.random.default_rng(int(power))
+    for _ in range(20):
+        line = np.cumsum(rng.choice([1, 2, 30, 400], 20)) * unit
+        points = Points(20)
+        points.table = np.abs(line[:, None] - line)
+        instances = filled(points, 20, power=power, seed=int(rng.integers(1000)))
+        known = contents(instances)
+        found = instances.error_contributions()
+        wanted = np.array([growth(points, known, each, power) for each in known])
+        assert np.allclose(found, wanted, atol=1e-4)
+        assert wanted[found.argmin()] <= wanted.min() + 1e-4
 
 
 @pytest.mark.parametrize(

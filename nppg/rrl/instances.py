@@ -19,6 +19,7 @@ import numpy as np
 from nppg.rrl.options import InstanceOptions
 
 _NEWS = 1e-6  # an error up to this is never worth an instance
+_FLAT = 4.0  # up to this power weights are kept in single precision; others differ too widely for its exponents
 _ROWS = 64  # of a square matrix that are worked on together, so that they stay in the processor's cache
 
 
@@ -40,7 +41,7 @@ class Instances:
         self._pairs = np.zeros(room, np.int64)
         self._values = np.zeros(room)
         # 1 / d_ij^power between instances, 0 on the diagonal; only for the choice of what to remove: precise enough
-        self._weights = np.zeros((room, room), np.float32)
+        self._weights = np.zeros((room, room), np.float32 if options.power <= _FLAT else np.float64)
 
     def __len__(self) -> int:
         return self._size
@@ -128,11 +129,21 @@ class Instances:
         With T_i = sum_j w_ij and S_i = sum_j w_ij q_j, the error of i without k is
 
             |q_i - (S_i - w_ik q_k) / (T_i - w_ik)| = |q_i T_i - S_i - w_ik (q_i - q_k)| / (T_i - w_ik).
+
+        Where w_ik is more than half of T_i, that is the difference of two numbers that may be as good as equal: both
+        sums are then made anew without k, the one nearest to i.
         """
         n = self._size
-        weights, values = self._weights[:n, :n], self._values[:n].astype(np.float32)
+        weights = self._weights[:n, :n]
+        values = self._values[:n].astype(weights.dtype)
         totals = weights.sum(axis=1)
         offsets = values * totals - weights @ values
+        nearest = weights.argmax(axis=1)
+        ruled = np.flatnonzero(weights[np.arange(n), nearest] > totals / 2)
+        others = weights[ruled]
+        others[np.arange(len(ruled)), nearest[ruled]] = 0
+        rests = others.sum(axis=1)
+        without = np.abs(values[ruled] * rests - others @ values) / rests
         summed = np.zeros(n)
         for start in range(0, n, _ROWS):
             some = slice(start, start + _ROWS)
@@ -140,16 +151,21 @@ class Instances:
             errors *= weights[some]
             np.subtract(offsets[some, None], errors, out=errors)
             np.abs(errors, out=errors)
-            errors /= totals[some, None] - weights[some]
+            rest = totals[some, None] - weights[some]
+            own = slice(*np.searchsorted(ruled, (start, start + _ROWS)))
+            rest[ruled[own] - start, nearest[ruled[own]]] = 1
+            errors /= rest
+            errors[ruled[own] - start, nearest[ruled[own]]] = without[own]
             summed += errors.sum(axis=0)
-        own = np.abs(offsets) / totals
-        return summed - own.sum() + own  # in both sums the instance's own error is there and the same
+        alone = np.abs(offsets) / totals
+        return summed - alone.sum() + alone  # in both sums the instance's own error is there and the same
 
     def variance_excess(self) -> np.ndarray:
         """By how much an instance's slopes |q_i - q_j| / d_ij exceed `max_gradient` in all, shape (instances,). An M
         that is too small for the values keeps what is new out of a full memory."""
         n = self._size
-        weights, values = self._weights[:n, :n] ** (1 / self.options.power), self._values[:n].astype(np.float32)
+        weights = self._weights[:n, :n] ** (1 / self.options.power)
+        values = self._values[:n].astype(weights.dtype)
         excess = np.zeros(n)
         for start in range(0, n, _ROWS):
             some = slice(start, start + _ROWS)
