@@ -522,3 +522,52 @@ def test_plain_prolog_chooses_like_the_policy(id: str, tmp_path: Path) -> None:
     for state, (action, potential) in zip(states, in_plain_prolog(tmp_path / "model.pl", states), strict=True):
         expected = policy.potentials(state, actions)
         assert expected[list(map(term, actions)).index(action)] == expected.max() == pytest.approx(potential, rel=1e-12)
+
+
+class Refused(gymnasium.Env):
+    """Observations or actions of a space that no domain has."""
+
+    def __init__(self, observations: str = "box", actions: str = "discrete"):
+        known = {
+            "box": spaces.Box(0, 1, (2,), np.float32),
+            "discrete": spaces.Discrete(2),
+            "tuple": spaces.Tuple([spaces.Discrete(2), spaces.Box(0, 1, (2,), np.float32)]),
+            "dict": spaces.Dict({"a": spaces.Discrete(3), "b": spaces.MultiBinary(2)}),
+            "multi": spaces.MultiDiscrete([2, 3]),
+            "text": spaces.Text(5),
+            "sequence": spaces.Sequence(spaces.Discrete(2)),
+        }
+        self.observation_space, self.action_space = known[observations], known[actions]
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict]:
+        super().reset(seed=seed)
+        self.observation_space.seed(seed)
+        return self.observation_space.sample(), {}
+
+    def step(self, action: Any) -> tuple[Any, float, bool, bool, dict]:
+        return self.observation_space.sample(), 1.0, True, False, {}
+
+
+@pytest.mark.parametrize(
+    ("observations", "actions", "wrapper"),
+    [
+        ("tuple", "discrete", "FlattenObservation"),
+        ("dict", "discrete", "FlattenObservation"),
+        ("multi", "discrete", "FlattenObservation"),
+        ("text", "discrete", "FlattenObservation"),
+        ("sequence", "discrete", "TransformObservation"),
+        ("box", "box", "DiscretizeAction"),
+        ("box", "multi", "TransformAction"),
+    ],
+)
+def test_refused_spaces_name_the_wrapper_that_helps(
+    observations: str, actions: str, wrapper: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(gymnasium.envs.registration, "registry", dict(gymnasium.registry))
+    gymnasium.register("Refused-v0", entry_point=lambda: Refused(observations, actions))
+    with pytest.raises(NppgError, match=rf"gymnasium\.wrappers\.{wrapper} makes such ones"):
+        open_domain("gym:Refused-v0")
+    if wrapper == "FlattenObservation":
+        helped = gymnasium.wrappers.FlattenObservation
+        gymnasium.register("Helped-v0", entry_point=lambda: helped(Refused(observations, actions)))
+        assert open_domain("gym:Helped-v0").start(np.random.default_rng(1))

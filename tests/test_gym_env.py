@@ -362,3 +362,14 @@ def test_gymnasium_is_missing(module: str, monkeypatch: pytest.MonkeyPatch) -> N
         monkeypatch.delitem(sys.modules, f"nppg.{each}", raising=False)
     with pytest.raises(NppgError, match=r"^an environment of Gymnasium needs gymnasium: pip install 'nppg\[gym\]'$"):
         importlib.import_module(f"nppg.{module}")
+
+
+def test_samples_of_a_vector_of_environments_are_not_always_the_first_action() -> None:
+    vector = gymnasium.make_vec("nppg/blocks_world-v0", 3, "sync", parameters={"blocks": 4})
+    assert {int(each) for _ in range(30) for each in vector.action_space.sample()} == set(range(Choice.GUESSED))
+    vector.reset(seed=1)
+    first = vector.envs[0].unwrapped
+    drawn = {int(each) for _ in range(100) for each in vector.action_space.sample()}
+    assert drawn == set(range(len(first.actions)))
+    assert all(each in vector.action_space for each in [vector.action_space.sample()])
+    vector.close()

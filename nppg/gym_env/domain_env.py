@@ -19,6 +19,7 @@ from nppg.worlds.opening import open_domain
 try:
     import gymnasium
     from gymnasium import spaces
+    from gymnasium.vector.utils import batch_space
 except ImportError:
     raise NppgError("an environment of Gymnasium needs gymnasium: pip install 'nppg[gym]'") from None
 
@@ -65,14 +66,19 @@ class Facts(spaces.Space):
 
 class Choice(spaces.Space):
     """The numbers of the legal actions, of which there are `count` at present; a sample is one of them. Every other
-    number from 0 is contained too, because how many are legal changes from state to state."""
+    number from 0 is contained too, because how many are legal changes from state to state. The spaces of a batch follow
+    that of the environment which they are made from; as long as that has not acted in this process, a sample is below
+    `GUESSED`."""
 
-    def __init__(self, seed: int | np.random.Generator | None = None):
+    GUESSED = 10
+
+    def __init__(self, seed: int | np.random.Generator | None = None, follows: Choice | None = None):
         self.count = 0
+        self._follows = follows
         super().__init__(shape=(), dtype=np.int64, seed=seed)
 
     def sample(self, mask: Any = None, probability: Any = None) -> np.int64:
-        return self.np_random.integers(max(self.count, 1))
+        return self.np_random.integers((self._follows or self).count or self.GUESSED)
 
     def contains(self, x: Any) -> bool:
         return isinstance(x, (int, np.integer)) and bool(x >= 0)
@@ -86,6 +92,14 @@ class Choice(spaces.Space):
 
     def __repr__(self) -> str:
         return "Choice()"
+
+
+@batch_space.register(Choice)
+def _batch(space: Choice, n: int = 1) -> spaces.Tuple:
+    """As Gymnasium does for spaces that it does not know, but that copies know how many actions there are."""
+    batch = spaces.Tuple([Choice(follows=space) for _ in range(n)])
+    batch.seed(copy.deepcopy(space.np_random).integers(10**8, size=n).tolist())
+    return batch
 
 
 class DomainEnv(gymnasium.Env):

@@ -26,7 +26,7 @@ from nppg.worlds.gym_files import bias_text, domain_text
 from nppg.worlds.gym_make import Made, make, told
 
 if TYPE_CHECKING:
-    from gymnasium import Env
+    from gymnasium import Env, Space
 
 _SEEDS = 2**31  # an environment's seed is drawn below this
 _ENDED = Situation("terminal", [])
@@ -199,7 +199,8 @@ def actions_of(made: Made) -> range:
 
     space = made.env.action_space
     if not isinstance(space, Discrete):
-        raise NppgError(f"gym:{made.id}: its actions are {space}, but only Discrete actions can be chosen among")
+        message = f"its actions are {space}, but only Discrete actions can be chosen among"
+        raise NppgError(f"gym:{made.id}: {message}; {_wrapper(space, 'DiscretizeAction', 'TransformAction')}")
     return range(int(space.start), int(space.start + space.n))
 
 
@@ -220,7 +221,21 @@ def _reader(made: Made) -> tuple[Callable[[Any], State], int]:
     if isinstance(space, Discrete):
         read = _number_reader(made.env)
         return read, len(read(space.start))
-    raise NppgError(f"gym:{made.id}: its observations are {space}, but a state is made of a Box or a Discrete one")
+    message = f"its observations are {space}, but a state is made of a Box or a Discrete one"
+    raise NppgError(f"gym:{made.id}: {message}; {_wrapper(space, 'FlattenObservation', 'TransformObservation')}")
+
+
+def _wrapper(space: Space, ready: str, general: str) -> str:
+    """Which of Gymnasium's wrappers helps: the ready one, which flattens what has a fixed size and cuts a Box into
+    parts, or the general one."""
+    from gymnasium import wrappers
+    from gymnasium.spaces import Box
+
+    fits = isinstance(space, Box) if ready == "DiscretizeAction" else space.is_np_flattenable
+    name = ready if fits and hasattr(wrappers, ready) else general
+    return (
+        f"gymnasium.wrappers.{name} makes such ones of them: register the wrapped environment under an id of your own"
+    )
 
 
 def _box_reader(count: int) -> Callable[[Any], State]:
