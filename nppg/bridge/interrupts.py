@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -10,11 +11,15 @@ _interrupted = False
 _undisturbed = 0  # pieces of work that are not to be interrupted
 
 
+def _in_main_thread() -> bool:
+    return threading.current_thread() is threading.main_thread()
+
+
 def heed_interrupt() -> None:
     """Raises KeyboardInterrupt where Ctrl-C was pressed under `interruptible`, unless it is held back. `ask` does so;
     what asks nothing for long calls it now and then."""
     global _interrupted
-    if _interrupted and not _undisturbed:
+    if _interrupted and not _undisturbed and _in_main_thread():
         _interrupted = False
         raise KeyboardInterrupt
 
@@ -22,8 +27,13 @@ def heed_interrupt() -> None:
 @contextmanager
 def interruptible() -> Iterator[None]:
     """Lets Ctrl-C end the program only between two questions, never while Prolog runs or calls back, where raising
-    can crash it; or at the end. Every question ends, because domain code is held to an inference limit."""
+    can crash it; or at the end. Every question ends, because domain code is held to an inference limit. Python tells
+    the main thread alone of Ctrl-C: in another this does nothing."""
     global _interrupted
+
+    if not _in_main_thread():
+        yield
+        return
 
     def note(*_: object) -> None:
         global _interrupted

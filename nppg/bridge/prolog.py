@@ -6,6 +6,7 @@ raised as NppgError, so no Prolog exception leaves this module.
 
 from __future__ import annotations
 
+import threading
 import weakref
 from collections import deque
 from collections.abc import Iterable, Iterator
@@ -27,6 +28,9 @@ _STACK_LIMIT = 256 * 2**20
 
 _dropped: deque[tuple] = deque()  # last questions about what Python has dropped
 _generator: np.random.Generator | None = None
+_thread = threading.local()  # `asks` in the thread in which Prolog was started
+_thread.asks = True
+_thread_name = threading.current_thread().name
 
 
 def uniform(count: int) -> list[float] | None:
@@ -38,10 +42,22 @@ def uniform(count: int) -> list[float] | None:
     return [draw() for _ in range(count)]
 
 
+def check_thread() -> None:
+    """Raises NppgError in another thread than the one that started Prolog: there Prolog would end the process, and two
+    threads would change the current state in turn."""
+    if not hasattr(_thread, "asks"):
+        name = threading.current_thread().name
+        raise NppgError(
+            f"nppg is used in the thread {name}, but can be used only in the one that used it first, {_thread_name}: "
+            "have that thread ask, or start a process"
+        )
+
+
 @contextmanager
 def randomness(generator: np.random.Generator) -> Iterator[None]:
-    """Lets the domain draw from `generator`."""
+    """Lets the domain draw from `generator`. Raises NppgError in a thread that cannot ask."""
     global _generator
+    check_thread()
     previous, _generator = _generator, generator
     try:
         yield
@@ -52,9 +68,11 @@ def randomness(generator: np.random.Generator) -> Iterator[None]:
 def ask(question: str, *args: Any) -> Any:
     """The answer to one of the questions of prolog/bridge.pl.
 
-    Raises NppgError with file and line where the domain's code is at fault, and KeyboardInterrupt where Ctrl-C was
-    pressed under `interruptible`, unless it is held back by `undisturbed`.
+    Raises NppgError with file and line where the domain's code is at fault, or in another thread than the one in which
+    nppg was used first; and KeyboardInterrupt where Ctrl-C was pressed under `interruptible`, unless it is held back by
+    `undisturbed`.
     """
+    check_thread()
     while _dropped:
         last, *its_args = _dropped.popleft()
         janus_swi.apply_once("nppg_bridge", "ask", last, its_args)

@@ -15,7 +15,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from nppg.bridge.files import locate
-from nppg.bridge.prolog import ask, drop_with, randomness
+from nppg.bridge.prolog import ask, check_thread, drop_with, randomness
 from nppg.bridge.terms import Ground, compounds, ground, texts
 from nppg.errors import NppgError, Problem
 
@@ -156,6 +156,7 @@ class Domain:
 
     def visit(self, state: State) -> None:
         """Makes a state the current interpretation in Prolog."""
+        check_thread()  # what is remembered of the current state is not to be seen while it changes
         if state is not self._loaded.current:
             self.forget()
             ask("visit", self.module, list(state))
