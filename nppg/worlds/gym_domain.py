@@ -242,14 +242,8 @@ def _box_reader(count: int) -> Callable[[Any], State]:
     names, indices = ("obs",) * count, range(1, count + 1)
 
     def read(observation: Any) -> State:
-        try:
-            values = np.asarray(observation, np.float32).reshape(count).tolist()
-        except (TypeError, ValueError) as error:
-            raise NppgError(f"gym:{id}: an observation is no array of {count} numbers: {told(error)}") from None
-        if not math.isfinite(sum(values)):
-            raise NppgError(f"gym:{id}: an observation has numbers that are not finite: {values}")
+        values = gym_values.numbers("an observation", observation, count)
         return Interpretation(zip(names, indices, values, strict=True))
-        return tuple(zip(names, indices, gym_values.numbers("an observation", observation, count), strict=True))
 
     return read
 
@@ -262,13 +256,11 @@ def _number_reader(env: Env) -> Callable[[Any], State]:
 
     @cache
     def state(number: int) -> State:
-        parts = decode(number) if decode else (number,)
-        return Interpretation(("obs", i, int(part)) for i, part in enumerate(parts, 1))
         try:
             parts = tuple(decode(number)) if decode else (number,)
         except Exception as error:
             raise gym_values.Unfit(f"an observation {number} is nothing that decode knows: {told(error)}") from error
-        return tuple(("obs", i, gym_values.whole("a part", part)) for i, part in enumerate(parts, 1))
+        return Interpretation(("obs", i, gym_values.whole("a part", part)) for i, part in enumerate(parts, 1))
 
     try:
         state(int(env.observation_space.start))
