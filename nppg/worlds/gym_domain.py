@@ -242,9 +242,8 @@ def _box_reader(count: int) -> Callable[[Any], State]:
     names, indices = ("obs",) * count, range(1, count + 1)
 
     def read(observation: Any) -> State:
-        return Interpretation(
-            zip(names, indices, gym_values.numbers("an observation", observation, count), strict=True)
-        )
+        values = gym_values.numbers("an observation", observation, count)
+        return Interpretation(zip(names, indices, values, strict=True))
 
     return read
 
