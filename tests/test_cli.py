@@ -13,10 +13,12 @@ import subprocess
 import sys
 import termios
 import time
+import warnings
 from pathlib import Path
 
 import pytest
 
+from nppg.cli.arguments import warnings_told
 from nppg.cli.main import main
 
 COMMAND = [sys.executable, "-m", "nppg"]
@@ -160,3 +162,13 @@ def test_an_interrupt_while_starting_ends_with_status_130(delay: float, tmp_path
         time.sleep(delay)
         process.send_signal(signal.SIGINT)
         assert (process.communicate(timeout=60)[1], process.returncode) == ("interrupted\n", 130)
+
+
+def test_a_warning_is_told_at_once_and_once(capsys: pytest.CaptureFixture[str]) -> None:
+    with warnings_told():
+        warnings.warn("mind the gap", stacklevel=1)
+        assert capsys.readouterr().err == "warning: mind the gap\n"
+        warnings.warn("mind the gap", stacklevel=1)
+        with warnings_told(False):
+            warnings.warn("the doors", stacklevel=1)
+    assert capsys.readouterr().err == ""

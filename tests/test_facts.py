@@ -179,9 +179,8 @@ def several(tmp_path_factory: pytest.TempPathFactory) -> LanguageBias:
 @pytest.mark.parametrize("value", [True, float("nan"), "e", ("f", 1)])
 def test_no_number(meadow: Domain, several: LanguageBias, value) -> None:
     table = root_table(meadow, several, Refiner(several))
-    with pytest.raises(
-        NppgError, match=r"^\S*bias.yaml:[0-9]+:[0-9]+: \+\w+ [=<>]+ # compares what is no number: .* flower/3 gave"
-    ):
+    place = r"^\S*bias.yaml:[0-9]+:[0-9]+: \+\w+ [=<>]+ # compares what is no number: "
+    with pytest.raises(NppgError, match=rf"{place}.* flower/3 gave"):
         table.answers((("flower", "a", value, 1),), ["rest"])
 
 

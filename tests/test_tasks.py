@@ -80,6 +80,30 @@ def test_a_task_wants_its_bias(
     assert message in output.err and output.err.count("\n") == 1 and not output.out
 
 
+@pytest.mark.parametrize(
+    ("task", "bias", "told"),
+    [
+        ("on", "stack", "stack is for task=stack, but task is on: give --set task=stack"),
+        ("stack", "unstack", "unstack is for task=unstack, but task is stack: give --set task=unstack"),
+        ("stack", "stack", ""),
+        ("on", "blocks_world_relational", ""),
+    ],
+)
+def test_a_bias_wants_its_task(task: str, bias: str, told: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", "blocks_world", "--set", f"task={task}", "--bias", bias]) == 0
+    assert capsys.readouterr().err == (f"warning: the language bias {told}\n" if told else "")
+
+
+def test_a_domain_that_takes_any_text_says_nothing_of_its_biases(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = (shipped("domains") / "delivery.pl").read_text()
+    file = tmp_path / "mail.pl"
+    file.write_text(text.replace(":- parameter(rooms", ":- parameter(who, me).\n:- parameter(rooms", 1))
+    assert main(["check", str(file), "--bias", "delivery"]) == 0
+    assert capsys.readouterr().err == ""
+
+
 def test_a_bias_beside_the_domain_goes_by_its_path(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     mine = tmp_path / "mine.pl"
     mine.write_bytes((shipped("domains") / "blocks_world.pl").read_bytes())

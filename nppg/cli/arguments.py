@@ -73,9 +73,15 @@ def _value(text: str) -> int | float | str:
 
 @contextmanager
 def warnings_told(tell: bool = True) -> Iterator[None]:
-    """Prints each warning on a line of its own."""
-    with warnings.catch_warnings(record=True) as noted:
-        warnings.simplefilter("always")
+    """Prints each warning at once, and once, on a line of its own."""
+    told: set[str] = set()
+
+    def show(message: Warning | str, *_: object, **__: object) -> None:
+        if tell and str(message) not in told:
+            told.add(str(message))
+            print(f"warning: {message}", file=sys.stderr)
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", UserWarning)
+        warnings.showwarning = show
         yield
-    for each in noted if tell else ():
-        print(f"warning: {each.message}", file=sys.stderr)

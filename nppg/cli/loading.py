@@ -10,19 +10,21 @@ from nppg.cli.arguments import parameters, warnings_told
 from nppg.errors import NppgError, Problem
 from nppg.policy.policy import Policy
 from nppg.worlds.domain import Domain
-from nppg.worlds.opening import bias_path, is_environment, language_bias_of, open_domain
+from nppg.worlds.opening import bias_path, is_environment, language_bias_of, open_domain, warn_of_another_task
 
 
 def domain(options: argparse.Namespace) -> Domain:
     """Raises NppgError."""
-    with warnings_told():
-        return open_domain(options.domain, parameters(options.set))
+    return open_domain(options.domain, parameters(options.set))
 
 
 def bias(options: argparse.Namespace, domain: Domain | None) -> LanguageBias | None:
     """The file given by --bias, or what goes with the domain, if that could be loaded or at least be found."""
     if options.bias:
-        return LanguageBias.load(locate(options.bias, "language_bias", ".yaml"))
+        found = LanguageBias.load(locate(options.bias, "language_bias", ".yaml"))
+        if domain:
+            warn_of_another_task(domain, found.file)
+        return found
     if domain:
         return language_bias_of(domain)
     if is_environment(options.domain):

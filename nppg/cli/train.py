@@ -8,7 +8,7 @@ from dataclasses import fields, replace
 from pathlib import Path
 
 from nppg.cli import loading
-from nppg.cli.arguments import add_domain
+from nppg.cli.arguments import add_domain, warnings_told
 from nppg.cli.progress import reporter
 from nppg.cli.training_options import add_training_options, chosen_options
 from nppg.errors import NppgError
@@ -67,9 +67,10 @@ def run(options: argparse.Namespace) -> int:
     least = options.until_return
     if least is not None and not (math.isfinite(least) and options.evaluate_every):
         raise NppgError("until-return must be a finite number, and needs points of the curve (evaluate-every)")
-    progress = runs.run(
-        domain, bias, chosen, output, options.evaluate_every, options.starts, report, until, until_return=least
-    )
+    with warnings_told(not options.quiet):
+        progress = runs.run(
+            domain, bias, chosen, output, options.evaluate_every, options.starts, report, until, until_return=least
+        )
     if not options.quiet:
         print(f"written to {output}/: {', '.join(progress.written)}")
     return 0

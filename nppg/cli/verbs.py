@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from importlib import import_module
 from importlib.metadata import version
 
-from nppg.cli.arguments import Parser
+from nppg.cli.arguments import Parser, warnings_told
 from nppg.errors import NppgError, suggestion
 
 VERBS = {
@@ -45,7 +45,9 @@ def _run(arguments: Sequence[str]) -> int:
     verb = import_module(f"nppg.cli.{name}")
     parser = Parser(prog=f"nppg {name}", description=f"{VERBS[name].capitalize()}.", allow_abbrev=False)
     verb.add_arguments(parser)
-    status: int = verb.run(parser.parse_args(rest, argparse.Namespace(arguments=arguments)))
+    options = parser.parse_args(rest, argparse.Namespace(arguments=arguments))
+    with warnings_told():
+        status: int = verb.run(options)
     return status
 
 

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
+
+import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.files import locate, shipped
@@ -60,3 +63,23 @@ def bias_path(domain: Path, given: Mapping[str, int | float | str]) -> Path:
             own, default = (each.stem if each.parent == shipped("language_bias") else each for each in (other, path))
             raise NppgError(f"{name}={value} has a language bias of its own: give --bias {own}, or --bias {default}")
     return path
+
+
+def warn_of_another_task(domain: Domain, bias: str | Path) -> None:
+    """Warns where a language bias has the name of another value that a parameter of the domain may have, which it is
+    for: policies would not see what the present value asks for. The domain has to refuse what is no such value."""
+    name = Path(bias).stem
+    for key, value in domain.parameters.items() if not domain.environment else ():
+        others = (name, f"no {name}") if isinstance(value, str) and value != name else ()
+        if [_starts(domain, key, other) for other in others] == [True, False]:
+            message = f"the language bias {name} is for {key}={name}, but {key} is {value}: give --set {key}={name}"
+            warnings.warn(message, stacklevel=2)
+
+
+def _starts(domain: Domain, parameter: str, value: str) -> bool:
+    """Whether the domain has a start with this value of a parameter."""
+    try:
+        Domain(domain.path, {**domain.given, parameter: value}).start(np.random.default_rng(0))
+    except NppgError:
+        return False
+    return True
