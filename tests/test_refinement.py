@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import warnings
 from itertools import combinations
 from random import Random
 
@@ -318,3 +319,27 @@ def test_what_has_been_remembered_is_what_would_be_computed(refiner: Refiner, qu
     cold = [literals_of(Refiner(refiner.bias).refinements(query)) for query in reversed(queries)]
     assert warm == cold
     assert all(set(a) != set(b) for a, b in combinations({tuple(each) for each in cold}, 2))
+
+
+CUT = """
+action: go(+x)
+types: {p: [x, x]}
+modes: [p(+, -)]
+"""
+
+
+@pytest.mark.parametrize(
+    ("most", "depth", "told"),
+    [("", 4, 0), ("", 5, 1), ("max_variables: 4\n", 5, 0), ("max_variables: 9\n", 9, 0)],
+)
+def test_what_nobody_has_bounded_is_not_cut_short_in_silence(most: str, depth: int, told: int) -> None:
+    """Once, and only where the maximum leaves something out that the author has not set."""
+    refiner, query = Refiner(LanguageBias.parse(CUT + most, "b.yaml")), ()
+    with warnings.catch_warnings(record=True) as noted:
+        warnings.simplefilter("always")
+        for _ in range(depth):
+            found = refiner.refinements(query)
+            query += found[-1].literals if found else ()
+        refiner.refinements(query[:-1])
+    message = "b.yaml: tests are left out, since max_variables is 4 unless given: give more, or 4 to stay with it"
+    assert [str(each.message) for each in noted] == [message] * told

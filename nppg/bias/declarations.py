@@ -105,6 +105,7 @@ class Declared:
     tree: TreeLimits
     sentences: Mapping[str, str] = field(default_factory=dict)  # predicate -> its literals in plain English
     options: Mapping[str, Constant] = field(default_factory=dict)  # of learners, which say what they may be
+    is_default_maximum: bool = field(default=False, compare=False, repr=False)  # the file says no max_variables
     option_places: Mapping[str, OptionPlaces] = field(default_factory=dict, compare=False, repr=False)
 
 

@@ -55,6 +55,7 @@ def read(file: str, text: str) -> Declared:
         tree=tree,
         sentences=said,
         options=values,
+        is_default_maximum="max_variables" not in entries,
         option_places=places,
     )
 

@@ -8,12 +8,14 @@ another one.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import product
 
 from nppg.bias.declarations import Argument, Mode
 from nppg.bias.language_bias import LanguageBias
+from nppg.errors import Problem
 from nppg.logic.query import OPEN, Literal, Query, Term, Var, components, solve_equalities, substitute, tightened
 from nppg.logic.subsumption import normal_form, subsumes
 
@@ -62,7 +64,8 @@ def _is_closed(literal: Literal) -> bool:
 
 
 class Refiner:
-    """The refinements of queries under a language bias; remembers what it has computed."""
+    """The refinements of queries under a language bias; remembers what it has computed. Warns, once, where
+    max_variables leaves some out and the author has not chosen it."""
 
     def __init__(self, bias: LanguageBias):
         self.bias = bias
@@ -70,6 +73,7 @@ class Refiner:
         self._by_query: dict[Query, tuple[Refinement, ...]] = {}
         self._by_core: dict[Query, tuple[Refinement, ...]] = {}
         self._tests: dict[frozenset[Literal], Query] = {}
+        self._warned = False
 
     def refinements(self, query: Query) -> tuple[Refinement, ...]:
         """All refinements of an associated query, in the order of the mode declarations."""
@@ -201,9 +205,19 @@ class Refiner:
             fresh = iter(range(first, first + len(choice)))
             args = tuple(Var(next(fresh)) if term is None else term for term in choice)
             taken = [arg for arg in args if isinstance(arg, Var)]
-            if choice.count(None) > room or len(set(taken)) < len(taken):
+            if len(set(taken)) < len(taken):
                 continue
-            yield Literal(mode.name, args)
+            if choice.count(None) <= room:
+                yield Literal(mode.name, args)
+            elif self.bias.is_default_maximum and not self._warned:
+                self._warned = True
+                warnings.warn(_cut_short(self.bias), stacklevel=2)
+
+
+def _cut_short(bias: LanguageBias) -> str:
+    most = bias.max_variables
+    told = f"tests are left out, since max_variables is {most} unless given: give more, or {most} to stay with it"
+    return str(Problem(bias.file, 0, 0, told))
 
 
 def _ranked(core: Query) -> tuple[Query, list[float]]:
