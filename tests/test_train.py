@@ -16,6 +16,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from nppg.bias.language_bias import LanguageBias
+from nppg.bridge.files import locate
 from nppg.errors import NppgError
 from nppg.judging.evaluation import evaluate, evaluate_exactly
 from nppg.learning.critic import critic
@@ -173,6 +175,35 @@ def test_lengths_that_floats_cannot_hold() -> None:
     assert longest(10**9, 1e308) == 10**9 * int(1e308)
     assert longest(10**9, 1e-300) == 1 and longest(10**9, 0.0) == longest(0, 2.5) == 0
     assert longest(10**9, 1 + 1e-9) == 10**9 + 1 and longest(10**9, 1.0) == 10**9
+
+
+@pytest.mark.parametrize("k", [-20, 20])
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"step_size": 1.0},
+        {"regressor": "cart"},
+        {"step": "second-order"},
+        {"critic": "value", "line_search": 1},
+        {"normalise": "yes"},
+    ],
+)
+def test_what_is_learned_does_not_hang_on_the_unit_of_the_rewards(k: int, options: dict) -> None:
+    """Where the step size, or lambda, goes along with it."""
+    if options.get("regressor") == "cart":
+        pytest.importorskip("sklearn")
+    bias = LanguageBias.load(locate("corridor", "language_bias", ".yaml"))
+    found = []
+    for unit in (1.0, 2.0**k):
+        domain = Domain("corridor", {"step_reward": -unit, "exit_reward": 20 * unit})
+        given = Options(episodes=120, guidance=0, **options)
+        if given.step == "second-order":
+            given = replace(given, regularisation=given.regularisation * unit)
+        elif given.normalise == "no":
+            given = replace(given, step_size=given.step_size / unit)
+        *_, last = train(domain, bias, given)
+        found.append(last.policy.trees)
+    assert found[0] == found[1] and max(map(leaves, found[0])) > 1
 
 
 def test_the_horizon_factor_lengthens_episodes(four_blocks: Domain, plain_bias) -> None:

@@ -62,6 +62,7 @@ def examples(batch: Sequence[Visit], options: Options, trees: int = 0) -> Exampl
         np.concatenate(answers),
         np.concatenate(gradients),
         newton if options.step == "second-order" else None,
+        max((abs(value) for _, value, _ in batch), default=0.0),
     )
 
 
