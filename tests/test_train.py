@@ -253,6 +253,25 @@ def test_the_examples_of_an_episode(four_blocks: Domain, plain_bias, update, unr
     assert {0.0, 1.0} <= {value for _, value in kinds} and (discount != 0.5 or (True, 0.5) in kinds)
 
 
+@pytest.mark.parametrize("step", ["gradient", "second-order"])
+@pytest.mark.parametrize("importance", [None, 0.0, 0.5, 1.0])
+def test_importance_weights_the_action_taken(four_blocks: Domain, plain_bias, step: str, importance) -> None:
+    """Left out, it is divided by its probability."""
+    options = Options(update="taken", step=step, importance=importance)
+    weights = set()
+    for episode in episodes(four_blocks, plain_bias, 20, guidance=0.5):
+        if learned := kept(critic(four_blocks, plain_bias, options).visits(episode), options):
+            found = examples(learned, options).targets.tolist()
+            pi = [visit.step.probabilities[visit.step.chosen] for visit in learned]
+            values = [visit.value for visit in learned]
+            assert found == pytest.approx(
+                [v * p ** (importance or 0.0) * (1 - p) for v, p in zip(values, pi, strict=True)]
+            )
+            weights.update(found)
+    assert len(weights) > 2
+    assert options.importance == (importance or 0.0)
+
+
 def test_so_do_those_of_the_variants(four_blocks: Domain, plain_bias) -> None:
     base = {"episodes": 80, "seed": 1, "min_examples": 20}
     value = {"critic": "value", "discount": 0.9}
