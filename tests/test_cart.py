@@ -16,7 +16,7 @@ from nppg.bias.refinement import Refiner
 from nppg.errors import NppgError
 from nppg.policy.policy import Policy
 from nppg.trees import cart, tilde
-from nppg.trees.tree import Leaf, Node, Tree, leaves
+from nppg.trees.tree import Leaf, Node, Tree, leaves, mapped
 from nppg.worlds.domain import Domain
 
 tree_module = pytest.importorskip("sklearn.tree")
@@ -128,6 +128,19 @@ def test_leaves_of_second_order_steps(slope) -> None:
         own = found == value
         expected = np.clip(targets[own].sum() / (curvatures[own].sum() + 0.7), -1.5, 1.5)
         assert value == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("k", [-40, -27, 13, 40])
+def test_a_tree_does_not_hang_on_the_unit_of_its_targets(slope, k: int) -> None:
+    coverage, targets = sample(slope, 5)
+    unit, curvatures = 2.0**k, np.abs(targets) / 3
+    for limits in (TreeLimits(5, 1), TreeLimits(5, 2, 0.0, 0.3)):
+        one, other = (cart.grow(factor * targets, coverage.bits, coverage.table, limits) for factor in (1.0, unit))
+        assert leaves(one) > 3 and other == mapped(one, lambda value: value * unit)
+        steps = [tilde.Newton(factor * curvatures, factor * 0.25, 3.0) for factor in (1.0, unit)]
+        assert cart.grow(targets, coverage.bits, coverage.table, limits, steps[0]) == cart.grow(
+            unit * targets, coverage.bits, coverage.table, limits, steps[1]
+        )
 
 
 def test_limits_of_nodes(slope) -> None:

@@ -52,6 +52,9 @@ def test_the_taken_gradient_is_divided_by_the_probability(psi: np.ndarray, data,
     pi = gibbs(psi)
     expected = functional_gradient(pi, chosen, value)[chosen]
     assert taken_gradient(pi, chosen, value) * pi[chosen] == pytest.approx(expected, abs=1e-12)
+    for k in (0.0, 0.5, 1.0):
+        entry = functional_gradient(pi, chosen, value, k)[chosen]
+        assert taken_gradient(pi, chosen, value, k) == pytest.approx(entry, abs=1e-12)
 
 
 @given(potentials)

@@ -104,6 +104,20 @@ def test_the_first_values_are_news() -> None:
     assert contents(instances) == {1: 1.0, 4: 0.0}
 
 
+@pytest.mark.parametrize("removal", ["error-contribution", "maximum-variance"])
+@pytest.mark.parametrize("k", [-40, 40])
+def test_what_is_stored_does_not_hang_on_the_unit_of_the_values(removal: str, k: int) -> None:
+    points, rng, unit = Points(300), np.random.default_rng(0), 2.0**k
+    few = {"max_instances": 40, "removal": removal}
+    one, other = (Instances(points, RIBOptions(max_gradient=0.3 * each, **few)) for each in (1.0, unit))  # type: ignore[arg-type]
+    for pair in rng.permutation(300).tolist():
+        value = float(np.sin(pair) * rng.choice([1, 1e-3]))
+        one.update(pair, value)
+        other.update(pair, unit * value)
+    assert len(one) == 40
+    assert contents(other) == {pair: unit * value for pair, value in contents(one).items()}
+
+
 def leave_one_out(points: Points, known: dict[int, float], power: float) -> dict[int, float]:
     return {
         each: abs(q - predicted(points, {other: known[other] for other in known if other != each}, each, power))

@@ -185,6 +185,7 @@ def test_examples_carry_weighted_gradients_and_curvatures(four_blocks: Domain, p
     taken = examples(batch, replace(options, update="taken"))
     ends = np.cumsum([0] + [len(step.actions) for step, *_ in batch[:-1]]) + [step.chosen for step, *_ in batch]
     assert taken.newton.curvatures.tolist() == found.newton.curvatures[ends].tolist()
+    assert taken.targets.tolist() == found.targets[ends].tolist()
 
 
 def test_steps_with_return_0_are_not_learned_from(four_blocks: Domain, plain_bias) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from samples import pairs, visited
 
-from nppg.answers.coverage import Coverage
+from nppg.answers.coverage import Coverage, root_table
 from nppg.bias.declarations import TreeLimits
 from nppg.policy.policy import Policy
 from nppg.rrl.options import TGOptions
@@ -51,6 +51,20 @@ def test_repeated_data_grow_the_batch_tree(setting) -> None:
     assert tree_of(learner)[0][0][: len(batch.literals)] == batch.literals
 
 
+@pytest.mark.parametrize("k", [-40, 40])
+def test_the_tree_does_not_hang_on_the_unit_of_the_values(setting, k: int) -> None:
+    domain, bias, refiner, table = setting
+    examples = stream(domain, table, 60, 3)
+    found = []
+    for unit in (1.0, 2.0**k):
+        learner = TG(root_table(domain, bias, refiner), refiner, TGOptions(min_sample=20, significance=0.1))
+        for each in examples:
+            description = learner.table.answers(each.state, [each.action])[0]
+            learner.update([each._replace(description=description, value=unit * each.value)])
+        found.append([(rule.query, rule.value / unit) for rule in rules(learner.stored()[0].trees[0])])
+    assert found[0] == found[1] and len(found[0]) > 1
+
+
 class PlainTG:
     """Keeps every example, and recomputes all from them."""
 
@@ -86,7 +100,6 @@ class PlainTG:
 
 
 def test_a_long_stream_leaves_exact_statistics(blocks, plain_bias) -> None:
-    from nppg.answers.coverage import root_table
     from nppg.bias.refinement import Refiner
 
     refiner = Refiner(plain_bias)

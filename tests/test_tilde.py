@@ -14,8 +14,8 @@ from nppg.bias.declarations import TreeLimits
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refiner
 from nppg.logic.query import Literal, Query, Var
-from nppg.trees.tilde import Example, best_split, f_test, fit, grow
-from nppg.trees.tree import Leaf, Node, Tree, leaves
+from nppg.trees.tilde import Example, Newton, best_split, f_test, fit, grow
+from nppg.trees.tree import Leaf, Node, Tree, leaves, mapped
 from nppg.worlds.domain import Domain
 
 UNBOUNDED = TreeLimits(max_depth=99, min_examples=1, min_variance=0.0)
@@ -173,6 +173,37 @@ def test_a_leaf_is_the_mean_and_constant_targets_are_not_split(blocks: Domain, p
     examples = [Example(s, a, 0.1) for s, a in zip(*sample, strict=True)]
     tree = fit(examples, blocks, replace(plain_bias, tree=UNBOUNDED))
     assert tree == Leaf(pytest.approx(0.1, abs=1e-15), len(examples))
+
+
+def times(tree: Tree, unit: float) -> Tree:
+    return mapped(tree, lambda value: value * unit)
+
+
+@pytest.mark.parametrize("k", [-40, -27, -9, 13, 40])
+def test_a_tree_does_not_hang_on_the_unit_of_its_targets(setting, k: int) -> None:
+    """To the bit, whatever stops its growth; and second-order steps do not, where curvatures have the same unit."""
+    domain, bias, refiner, table = setting
+    coverage = Coverage(table, *pairs(domain, visited(domain, 12)))
+    rng, unit = np.random.default_rng(1), 2.0**k
+    targets = rng.normal(size=len(coverage.actions)) * rng.choice([1.0, 1e-3, 1e-7], len(coverage.actions))
+    assert leaves(grow(targets, coverage, refiner, TreeLimits(5, 1))) > 8
+    for limits in (TreeLimits(5, 1), TreeLimits(5, 3, 1e-9, 0.1), TreeLimits(4, 2, 0.0)):
+        expected = grow(targets, coverage, refiner, limits)
+        assert grow(unit * targets, coverage, refiner, limits) == times(expected, unit)
+        states, actions = coverage.states, coverage.actions
+        examples = [Example(*each) for each in zip(states, actions, (unit * (targets + 0.5)).tolist(), strict=True)]
+        shifted = [each._replace(value=each.value / unit) for each in examples]
+        own = replace(bias, tree=limits)
+        assert fit(examples, domain, own) == times(fit(shifted, domain, own), unit)
+        curvatures = np.abs(targets) * rng.random(len(targets))
+        one, other = Newton(curvatures, 0.25, 3.0), Newton(unit * curvatures, unit * 0.25, 3.0)
+        assert grow(unit * targets, coverage, refiner, limits, other) == grow(targets, coverage, refiner, limits, one)
+
+
+def test_a_stated_variance_is_absolute_and_the_default_in_the_unit(blocks: Domain, plain_bias, sample) -> None:
+    small = [Example(s, a, 1e-5 * i % 7e-5) for i, (s, a) in enumerate(zip(*sample, strict=True))]
+    for limits, grown in ((TreeLimits(), True), (TreeLimits(min_variance=1e-8), False)):
+        assert (leaves(fit(small, blocks, replace(plain_bias, tree=limits))) > 1) == grown
 
 
 def test_equal_candidates_the_first_wins() -> None:

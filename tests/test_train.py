@@ -16,6 +16,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from nppg.bias.language_bias import LanguageBias
+from nppg.bridge.files import locate
 from nppg.errors import NppgError
 from nppg.judging.evaluation import evaluate, evaluate_exactly
 from nppg.learning.critic import critic
@@ -175,6 +177,35 @@ def test_lengths_that_floats_cannot_hold() -> None:
     assert longest(10**9, 1 + 1e-9) == 10**9 + 1 and longest(10**9, 1.0) == 10**9
 
 
+@pytest.mark.parametrize("k", [-20, 20])
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"step_size": 1.0},
+        {"regressor": "cart"},
+        {"step": "second-order"},
+        {"critic": "value", "line_search": 1},
+        {"normalise": "yes"},
+    ],
+)
+def test_what_is_learned_does_not_hang_on_the_unit_of_the_rewards(k: int, options: dict) -> None:
+    """Where the step size, or lambda, goes along with it."""
+    if options.get("regressor") == "cart":
+        pytest.importorskip("sklearn")
+    bias = LanguageBias.load(locate("corridor", "language_bias", ".yaml"))
+    found = []
+    for unit in (1.0, 2.0**k):
+        domain = Domain("corridor", {"step_reward": -unit, "exit_reward": 20 * unit})
+        given = Options(episodes=120, guidance=0, **options)
+        if given.step == "second-order":
+            given = replace(given, regularisation=given.regularisation * unit)
+        elif given.normalise == "no":
+            given = replace(given, step_size=given.step_size / unit)
+        *_, last = train(domain, bias, given)
+        found.append(last.policy.trees)
+    assert found[0] == found[1] and max(map(leaves, found[0])) > 1
+
+
 def test_the_horizon_factor_lengthens_episodes(four_blocks: Domain, plain_bias) -> None:
     for factor in (0.5, 2.5):
         ratios = []
@@ -220,6 +251,25 @@ def test_the_examples_of_an_episode(four_blocks: Domain, plain_bias, update, unr
         assert found.targets.tolist() == pytest.approx([each[2] for each in expected], abs=1e-12)
         assert found.answers.tolist() == [each[3] for each in expected]
     assert {0.0, 1.0} <= {value for _, value in kinds} and (discount != 0.5 or (True, 0.5) in kinds)
+
+
+@pytest.mark.parametrize("step", ["gradient", "second-order"])
+@pytest.mark.parametrize("importance", [None, 0.0, 0.5, 1.0])
+def test_importance_weights_the_action_taken(four_blocks: Domain, plain_bias, step: str, importance) -> None:
+    """Left out, it is divided by its probability."""
+    options = Options(update="taken", step=step, importance=importance)
+    weights = set()
+    for episode in episodes(four_blocks, plain_bias, 20, guidance=0.5):
+        if learned := kept(critic(four_blocks, plain_bias, options).visits(episode), options):
+            found = examples(learned, options).targets.tolist()
+            pi = [visit.step.probabilities[visit.step.chosen] for visit in learned]
+            values = [visit.value for visit in learned]
+            assert found == pytest.approx(
+                [v * p ** (importance or 0.0) * (1 - p) for v, p in zip(values, pi, strict=True)]
+            )
+            weights.update(found)
+    assert len(weights) > 2
+    assert options.importance == (importance or 0.0)
 
 
 def test_so_do_those_of_the_variants(four_blocks: Domain, plain_bias) -> None:

@@ -13,6 +13,8 @@ from nppg.logic.query import OPEN, Constant
 
 EQUALITY = ("equal", "=")  # its name in a file, and in Prolog
 
+MIN_VARIANCE = 1e-9  # the default, which alone is in the square of the targets' unit
+
 
 @dataclass(frozen=True, slots=True)
 class Argument:
@@ -64,7 +66,7 @@ class TreeLimits:
 
     max_depth: int = 4  # tests on the longest path; 0: the tree is one leaf
     min_examples: int = 2  # "minimal cases": each leaf holds at least so many examples
-    min_variance: float = 1e-9  # a node whose targets have less variance is a leaf
+    min_variance: float = MIN_VARIANCE  # a node whose targets have less variance is a leaf
     significance: float = 1.0  # level of the F-test that a split must pass (ACE's ftest); 1.0 switches it off
     granularity: int = 0  # at most so many thresholds of a bound are tried at a node, quantiles of its examples; 0: all
 
@@ -81,6 +83,10 @@ class TreeLimits:
             wrong.append(f"significance must be a number above 0 and at most 1, not {self.significance!r}")
         if wrong:
             raise NppgError(Problem("", 0, 0, message) for message in wrong)
+
+    def least_variance(self, unit: float) -> float:
+        """`min_variance`; that of who states none is in the square of the targets' unit."""
+        return self.min_variance * unit * unit if self.min_variance == MIN_VARIANCE else self.min_variance
 
 
 class OptionPlaces(NamedTuple):

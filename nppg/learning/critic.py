@@ -16,6 +16,7 @@ from nppg.learning.options import Options
 from nppg.learning.regressors import Examples, regressor
 from nppg.learning.visits import Visit
 from nppg.policy.policy import Policy
+from nppg.trees.tilde import largest
 from nppg.worlds.domain import Domain, State
 
 STATE = "state"  # the one action that the value function's trees are about, so that they are about states
@@ -81,10 +82,11 @@ class ValueFunction:
             return
         states = [visit.step.state for visit in own]
         targets = np.array([visit.value for visit in own]) + self(states)
+        unit = largest(targets)
         for _ in range(self.options.critic_trees):
             answers = self._answers(states)
             residuals = targets - self.trees.potentials_of(answers)
-            tree = self.regressor.fit(Examples(states, [STATE] * len(states), answers, residuals))
+            tree = self.regressor.fit(Examples(states, [STATE] * len(states), answers, residuals, unit=unit))
             self.trees.add(tree, self.options.critic_step_size)
 
 

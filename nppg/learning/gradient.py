@@ -42,6 +42,7 @@ def functional_gradient(probabilities: np.ndarray, chosen: int, value: float, im
     return value * gradient
 
 
-def taken_gradient(probabilities: np.ndarray, chosen: int, value: float) -> float:
-    """The gradient at the action taken alone, divided by its probability (the paper's footnote 2)."""
-    return value * (1.0 - probabilities[chosen])
+def taken_gradient(probabilities: np.ndarray, chosen: int, value: float, importance: float = 0.0) -> float:
+    """The same at the action taken alone, value * pi(s, a)^k (1 - pi(s, a)). With `importance` k = 0 that is the
+    gradient divided by the action's probability (the paper's footnote 2), which makes up for its being drawn by it."""
+    return functional_gradient(probabilities, chosen, value, importance)[chosen]

@@ -57,9 +57,7 @@ class Options(Common):
         0.0, "share of min_examples that each tree adds to it, so that later trees average over more", low=0
     )
     episodes_per_iteration: int = option(1, "least number of episodes between two trees", low=1)
-    update: str = option(
-        "all", "actions that get an example: all, or taken (divided by its probability)", choices=("all", "taken")
-    )
+    update: str = option("all", "actions that get an example: all, or the one taken", choices=("all", "taken"))
     step: str = option(
         "gradient",
         "what a tree fits: the paper's gradient, or second-order steps",
@@ -71,7 +69,7 @@ class Options(Common):
     importance: float | None = option(
         None,
         "power of pi(s, a) that weights a visit: 1 is the paper's, 0 makes the gradient that of expected returns; left "
-        "out it is 1, in second-order steps 0.5",
+        "out it is 1, in second-order steps 0.5, and 0 where the taken action alone is updated",
         kind=float,
         low=0,
         high=1,
@@ -119,7 +117,8 @@ class Options(Common):
     def __post_init__(self) -> None:
         super(Options, self).__post_init__()  # without arguments it does not find its class, which has slots
         if self.importance is None:
-            object.__setattr__(self, "importance", 1.0 if self.step == "gradient" else 0.5)
+            usual = 1.0 if self.step == "gradient" else 0.5
+            object.__setattr__(self, "importance", 0.0 if self.update == "taken" else usual)
 
 
 def problem_of(option: Field, value: Any) -> str:

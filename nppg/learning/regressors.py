@@ -25,13 +25,15 @@ from nppg.worlds.domain import Action, Domain, State
 @dataclass(frozen=True, slots=True)
 class Examples:
     """State-action pairs, those of one state standing together; with the rows of the table's answers about them,
-    shape (pairs, tests), the target of each, shape (pairs,), and what makes the tree a second-order step, if it is."""
+    shape (pairs, tests), the target of each, shape (pairs,), what makes the tree a second-order step, if it is, and the
+    unit of the targets: the largest of what they are made from."""
 
     states: list[State]
     actions: list[Action]
     answers: np.ndarray
     targets: np.ndarray
     newton: Newton | None = None
+    unit: float | None = None
 
     def of(self, members: np.ndarray) -> Examples:
         """Those with these indices."""
@@ -41,6 +43,7 @@ class Examples:
             self.answers[members],
             self.targets[members],
             self.newton and replace(self.newton, curvatures=self.newton.curvatures[members]),
+            self.unit,
         )
 
 
@@ -64,7 +67,7 @@ class Tilde:
 
     def fit(self, examples: Examples, query: Query = ()) -> Tree:
         coverage = Coverage(self.table, examples.states, examples.actions, examples.answers)
-        return grow(examples.targets, coverage, self.refiner, self.limits, examples.newton, query)
+        return grow(examples.targets, coverage, self.refiner, self.limits, examples.newton, query, examples.unit)
 
 
 class Cart:
@@ -76,7 +79,8 @@ class Cart:
         self.limits = bias.tree
 
     def fit(self, examples: Examples, query: Query = ()) -> Tree:
-        return cart.grow(examples.targets, examples.answers, self.table, self.limits, examples.newton, query)
+        newton, unit = examples.newton, examples.unit
+        return cart.grow(examples.targets, examples.answers, self.table, self.limits, newton, query, unit)
 
 
 class PerAction:

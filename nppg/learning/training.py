@@ -49,7 +49,7 @@ def examples(batch: Sequence[Visit], options: Options, trees: int = 0) -> Exampl
         if options.update == "all":
             gradients.append(functional_gradient(probabilities, step.chosen, value, importance))
         else:
-            gradients.append(np.array([taken_gradient(probabilities, step.chosen, value)]))
+            gradients.append(np.array([taken_gradient(probabilities, step.chosen, value, importance)]))
         curvatures.append((abs(value) * probabilities * (1 - probabilities))[updated])
         answers.append(step.answers[updated])
         actions += step.actions[updated]
@@ -62,6 +62,7 @@ def examples(batch: Sequence[Visit], options: Options, trees: int = 0) -> Exampl
         np.concatenate(answers),
         np.concatenate(gradients),
         newton if options.step == "second-order" else None,
+        max((abs(value) for _, value, _ in batch), default=0.0),
     )
 
 

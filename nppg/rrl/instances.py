@@ -18,7 +18,7 @@ import numpy as np
 
 from nppg.rrl.options import InstanceOptions
 
-_NEWS = 1e-6  # an error up to this is never worth an instance
+_NEWS = 1e-6  # an error up to this share of the largest value is never worth an instance
 _FLAT = 4.0  # up to this power weights are kept in single precision; others differ too widely for its exponents
 _ROWS = 64  # of a square matrix that are worked on together, so that they stay in the processor's cache
 
@@ -76,7 +76,7 @@ class Instances:
         same = np.flatnonzero(distances[0] == 0)
         if len(same):
             self._values[same] = value
-        elif self._is_news(abs(value - self._predicted(distances)[0]), distances[0]):
+        elif self._is_news(value, abs(value - self._predicted(distances)[0]), distances[0]):
             self._append(pair, value, distances[0])
             if self._size > self.options.max_instances:
                 self._remove(self._least())
@@ -87,11 +87,12 @@ class Instances:
             raise ValueError(f"there is room for {self.options.max_instances} instances only")
         self._append(pair, value, self.distance.rows(np.array([pair]), self._pairs[: self._size])[0])
 
-    def _is_news(self, error: float, distances: np.ndarray) -> bool:
+    def _is_news(self, value: float, error: float, distances: np.ndarray) -> bool:
         """Whether an example is so badly predicted that it should be stored: its error is more than `global_deviation`
         times the standard deviation of all values and `local_deviation` times that of its nearest neighbours'."""
         options, values = self.options, self._values[: self._size]
-        if error <= _NEWS or error <= options.global_deviation * _deviation(values):
+        large = float(np.abs(values).max(initial=abs(value)))
+        if error <= max(_NEWS * large, options.global_deviation * _deviation(values)):
             return False
         if self._size > options.neighbours:
             values = values[np.argpartition(distances, options.neighbours)[: options.neighbours]]

@@ -49,7 +49,8 @@ class Statistics:
         n1, s1, _ = self.by_test[1]
         found = best_gain(s1, total, n1, count, n1, count, 1)
         around = squares - total**2 / count
-        return found[0] if found and is_significant(found[1], around, int(count), significance) else None
+        unit = float(squares / count) ** 0.5
+        return found[0] if found and is_significant(found[1], around, int(count), significance, unit) else None
 
 
 class TG:

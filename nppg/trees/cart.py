@@ -6,6 +6,7 @@ test of its column, with a threshold where the answer is a number, and the tree 
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,7 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, closed, is_open
 from nppg.errors import NppgError
 from nppg.logic.query import Literal, Query, Var, substitute, variables
-from nppg.trees.tilde import Newton, is_pure, is_significant, leaf
+from nppg.trees.tilde import Newton, is_pure, is_significant, largest, leaf
 from nppg.trees.tree import Node, Tree
 
 _LARGEST = float(np.finfo(np.float32).max)  # scikit-learn rounds what it splits to single precision
@@ -41,30 +42,32 @@ def grow(
     limits: TreeLimits,
     newton: Newton | None = None,
     query: Query = (),
+    unit: float | None = None,
 ) -> Tree:
     """Grows a tree for one target per row of answers: of means, or for a second-order step; below `query`, which holds
     for all. The splits of the latter are those of the targets f / h weighted by h; `regularisation` and `clip` are a
-    matter of the leaves. Raises NppgError as scikit_learn() does."""
-    unfitted = scikit_learn(limits)
+    matter of the leaves. `unit` is as in TILDE. Raises NppgError as scikit_learn() does."""
+    unfitted, unit = scikit_learn(limits), largest(targets) if unit is None else unit
     every = np.arange(len(targets))
     if limits.max_depth == 0 or rows.size == 0:
         return leaf(targets, every, newton)
     numbers = np.where(rows, 0.0, 1.0) if rows.dtype == bool else rows
-    wanted, weights = targets, None
+    wanted, weights = targets / _power_of_2(largest(targets)), None  # to scikit-learn a variance of 2e-16 is none
     if newton:
-        weights = np.maximum(newton.curvatures, 1e-12)
+        weights = np.maximum(newton.curvatures, 1e-12 * (largest(newton.curvatures) or 1.0))
         wanted = targets / weights
+        wanted /= _power_of_2(largest(wanted))
     found = unfitted.fit(np.minimum(numbers, _LARGEST), wanted, sample_weight=weights).tree_
 
     def node(number: int, query: Query, members: np.ndarray, asked: dict[int, Query]) -> Tree:
         column = int(found.feature[number])
-        if column < 0 or is_pure(targets[members], limits):
+        if column < 0 or is_pure(targets[members], limits, unit):
             return leaf(targets, members, newton)
         limit = float(found.threshold[number])
         if limit > _LARGEST / 4:  # between the last value and none at all
             limit = float(numbers[np.isfinite(numbers[:, column]), column].max())
         covered = numbers[members, column] <= limit
-        if not newton and not _is_significant(targets[members], covered, limits):
+        if not newton and not _is_significant(targets[members], covered, limits, unit):
             return leaf(targets, members, newton)
         literals, test, renamed = _test(table, column, limit, query, asked)
         return Node(
@@ -77,11 +80,16 @@ def grow(
     return node(0, query, every, {})
 
 
-def _is_significant(values: np.ndarray, covered: np.ndarray, limits: TreeLimits) -> bool:
+def _power_of_2(number: float) -> float:
+    """The least that is above a number, by which dividing rounds nothing."""
+    return 2.0 ** math.frexp(number)[1]
+
+
+def _is_significant(values: np.ndarray, covered: np.ndarray, limits: TreeLimits, unit: float) -> bool:
     squares, inside = (float(((each - each.mean()) ** 2).sum()) for each in (values, values[covered]))
     outside = values[~covered]
     rest = inside + float(((outside - outside.mean()) ** 2).sum()) if len(outside) else inside
-    return is_significant(squares - rest, squares, len(values), limits.significance)
+    return is_significant(squares - rest, squares, len(values), limits.significance, unit)
 
 
 def _test(

@@ -21,6 +21,7 @@ from nppg.logic.query import Query
 from nppg.trees.tree import Leaf, Node, Tree, mapped
 from nppg.worlds.domain import Action, Domain, State
 
+_GAIN = 1e-9  # less than this, in the square of the targets' unit, is no gain but rounding
 _TIE = 1e-9  # gains this near to the best one, relatively, count as equal: the first candidate wins
 
 
@@ -59,20 +60,23 @@ def grow(
     limits: TreeLimits,
     newton: Newton | None = None,
     query: Query = (),
+    unit: float | None = None,
 ) -> Tree:
     """Grows a tree for one target per example of `coverage`: of means, or for a second-order step. `query` is the
-    root's: it holds for all examples."""
+    root's: it holds for all examples. What is a gain at all is judged in the targets' `unit`, which is the largest of
+    them unless it is given: so the tree does not hang on how rewards are scaled."""
+    unit = largest(targets) if unit is None else unit
 
     def node(query: Query, members: np.ndarray, known: Known, depth: int) -> Tree:
         values = targets[members]
-        if depth == limits.max_depth or is_pure(values, limits):
+        if depth == limits.max_depth or is_pure(values, limits, unit):
             return leaf(targets, members, newton)
         candidates = refiner.refinements(query)
         answers, known = coverage.matrix(candidates, members, known)
         if newton:
-            best = best_step(answers, values, newton.curvatures[members], newton.regularisation, limits)
+            best = best_step(answers, values, newton.curvatures[members], newton.regularisation, limits, unit)
         else:
-            best = best_split(answers, values, limits)
+            best = best_split(answers, values, limits, unit)
         if best is None:
             return leaf(targets, members, newton)
         chosen, covered = candidates[best.candidate], best.covered(answers)
@@ -97,9 +101,16 @@ def leaf(targets: np.ndarray, members: np.ndarray, newton: Newton | None) -> Lea
     return Leaf(max(-newton.clip, min(newton.clip, value)) if newton else value, len(members))
 
 
-def is_pure(values: np.ndarray, limits: TreeLimits) -> bool:
+def largest(values: np.ndarray) -> float:
+    """The largest absolute value, 0 of none: the unit of targets that come without one."""
+    return float(np.abs(values).max(initial=0.0))
+
+
+def is_pure(values: np.ndarray, limits: TreeLimits, unit: float) -> bool:
     """Whether a node with these targets is not to be split: they are too few, or too alike."""
-    return len(values) < 2 * limits.min_examples or _variance(values) < limits.min_variance
+    if len(values) < 2 * limits.min_examples or not values.any():
+        return True
+    return _variance(values) < limits.least_variance(unit)
 
 
 class Split(NamedTuple):
@@ -160,7 +171,7 @@ def _quantiles(cuts: np.ndarray, granularity: int) -> np.ndarray:
     return kept
 
 
-def best_split(answers: np.ndarray, values: np.ndarray, limits: TreeLimits) -> Split | None:
+def best_split(answers: np.ndarray, values: np.ndarray, limits: TreeLimits, unit: float | None = None) -> Split | None:
     """The split that reduces the weighted variance most, or None if none may split.
 
     `answers` has shape (examples, candidates). The reduction of the sum of squares is
@@ -169,20 +180,29 @@ def best_split(answers: np.ndarray, values: np.ndarray, limits: TreeLimits) -> S
     splits = _Splits(answers, limits.granularity)
     n1, count = splits.counts(), len(values)
     found = best_gain(splits.sums(values), values.sum(), n1, count, n1, float(count), limits.min_examples)
-    squares = _variance(values) * count
-    return splits[found[0]] if found and is_significant(found[1], squares, count, limits.significance) else None
+    if found is None:
+        return None
+    squares, unit = _variance(values) * count, largest(values) if unit is None else unit
+    return splits[found[0]] if is_significant(found[1], squares, count, limits.significance, unit) else None
 
 
 def best_step(
-    answers: np.ndarray, values: np.ndarray, curvatures: np.ndarray, regularisation: float, limits: TreeLimits
+    answers: np.ndarray,
+    values: np.ndarray,
+    curvatures: np.ndarray,
+    regularisation: float,
+    limits: TreeLimits,
+    unit: float | None = None,
 ) -> Split | None:
     """The split with the largest sum of f^2 / (h + regularisation) over the two branches, f and h the branch's sums,
-    or None if none exceeds that of the undivided node. There is no F-test."""
+    or None if none exceeds that of the undivided node. There is no F-test. Gains are in the targets' unit, as
+    curvatures are too."""
     splits = _Splits(answers, limits.granularity)
     s1, h1 = splits.sums(values), splits.sums(curvatures)
     whole = float(curvatures.sum())
     found = best_gain(s1, values.sum(), splits.counts(), len(values), h1, whole, limits.min_examples, regularisation)
-    return splits[found[0]] if found and found[1] >= 1e-9 else None
+    unit = largest(values) if unit is None else unit
+    return splits[found[0]] if found and found[1] > 0 and found[1] >= _GAIN * unit else None
 
 
 def best_gain(
@@ -218,10 +238,10 @@ def _variance(values: np.ndarray) -> float:
     return float(((values - mean) ** 2).sum() / len(values))
 
 
-def is_significant(gain: float, squares: float, count: int, level: float) -> bool:
+def is_significant(gain: float, squares: float, count: int, level: float, unit: float) -> bool:
     """The F-test of regression trees, F(1, n - 2) = (n - 2) gain / (squares - gain), with the sum of squares around
-    the mean of n = `count` values; level 1 accepts any gain."""
-    if gain < 1e-9:
+    the mean of n = `count` values; level 1 accepts any gain that is more than rounding in the values' unit."""
+    if gain <= 0 or gain < _GAIN * unit * unit:
         return False
     if level == 1.0:
         return True
