@@ -10,6 +10,7 @@ import pytest
 
 from nppg import LanguageBias, NppgError, Options, TGOptions, language_bias_of, open_domain, options_of, run, train
 from nppg.cli.main import main
+from nppg.experiments.learners import LEARNERS
 
 BIAS = "action: go(+x)\ntypes: {p: [x]}\nmodes: [p(+)]\n"
 WORLD = """\
@@ -78,7 +79,7 @@ def test_the_bias_may_choose_the_learner() -> None:
             "4:30: seed must be a whole number, not 1.5",
         ]),
         ("{learner: trend}", [
-            "4:20: learner must be one of nppg, tg, rib, trendi, not 'trend' (did you mean 'trendi'?)"
+            f"4:20: learner must be one of {', '.join(LEARNERS)}, not 'trend' (did you mean 'trendi'?)"
         ]),
         ("{max_depth: 3}", [
             "4:11: max_depth limits trees: write tree: {max_depth: ...}, unless the option learner is tg or trendi"
@@ -98,7 +99,7 @@ def test_mistakes_in_what_is_given() -> None:
     bias = bias_with("{}")
     with pytest.raises(NppgError, match=r"^stp is no option of the learner nppg \(did you mean 'step'\?\)$"):
         options_of(bias, stp="gradient")
-    with pytest.raises(NppgError, match=r"^learner must be one of nppg, tg, rib, trendi, not 'gt'"):
+    with pytest.raises(NppgError, match=rf"^learner must be one of {', '.join(LEARNERS)}, not 'gt'"):
         options_of(bias, "gt")
     with pytest.raises(NppgError, match=r"^discount must be"):
         options_of(bias, discount=2)

@@ -1,10 +1,8 @@
-"""Relational Q-learning: what the examples say, how actions are explored, that the learners learn, one door."""
+"""Relational Q-learning: what the examples say, how actions are explored, that the learners learn."""
 
 from __future__ import annotations
 
-import csv
 import re
-from dataclasses import fields
 from pathlib import Path
 
 import numpy as np
@@ -12,16 +10,12 @@ import pytest
 
 from nppg import Domain, evaluate, evaluate_exactly, train
 from nppg.cli.main import main
-from nppg.errors import NppgError
 from nppg.experiments.learners import LEARNERS
 from nppg.judging.evaluation import ExactEvaluator
-from nppg.policy.policy import Policy
 from nppg.rrl.options import QOptions, TGOptions
 from nppg.rrl.qfunction import QFunction
 from nppg.rrl.regressors import regressor
 from nppg.rrl.training import examples
-
-VALUE_LEARNERS = [name for name in LEARNERS if name != "nppg"]
 
 
 @pytest.fixture(scope="module")
@@ -147,29 +141,6 @@ def test_five_blocks_are_learned(plain_bias, learner: str, episodes: int, succes
     assert evaluate_exactly(last.policy).success > success
 
 
-@pytest.mark.parametrize("learner", VALUE_LEARNERS)
-def test_one_door(tmp_path: Path, learner: str, capsys: pytest.CaptureFixture) -> None:
-    arguments = f"train blocks_world --set blocks=4 --learner {learner} --episodes 120 --seed 2 --output".split()
-    assert main([*arguments, str(tmp_path / "a")]) == 0
-    assert main([*arguments, str(tmp_path / "b"), "--quiet"]) == 0
-    assert (tmp_path / "a" / "model.pl").read_bytes() == (tmp_path / "b" / "model.pl").read_bytes()
-    rows = list(csv.DictReader((tmp_path / "a" / "curve.csv").open()))
-    assert [row["episode"] for row in rows] == ["0", "50", "100", "120"]
-    assert float(rows[-1]["leaves"]) + float(rows[-1]["instances"]) >= 1
-    model = str(tmp_path / "a" / "model.pl")
-    assert evaluate_exactly(Policy.load(model)).success == float(rows[-1]["success"])
-    capsys.readouterr()
-    for command in (["evaluate", model, "--exact"], ["play", model], ["show", model], ["prove", model]):
-        assert main(command) == 0
-    assert "success of the greedy policy over all 60 start states" in capsys.readouterr().out
-
-
-@pytest.mark.parametrize("learner", VALUE_LEARNERS)
-def test_several_kinds_of_actions(delivery: Domain, delivery_bias, learner: str) -> None:
-    *_, last = train(delivery, delivery_bias, LEARNERS[learner](episodes=600, seed=3))
-    assert evaluate(last.policy, 50).success > 0
-
-
 def test_options_of_other_learners_are_refused(capsys: pytest.CaptureFixture) -> None:
     assert main(["train", "blocks_world", "--learner", "tg", "--replay", "5"]) == 2
     assert capsys.readouterr().err == "--replay is no option of the learner tg, but of nppg\n"
@@ -178,10 +149,3 @@ def test_options_of_other_learners_are_refused(capsys: pytest.CaptureFixture) ->
     assert error.startswith("--temperature is no option of the learner nppg, but of tg") and error.count("\n") == 1
     assert main(["train", "blocks_world", "--learner", "tg", "--cooling", "1.5"]) == 2
     assert "cooling must be from 0 to 1" in capsys.readouterr().err
-
-
-@pytest.mark.parametrize("learner", VALUE_LEARNERS)
-def test_options_have_bounds(learner: str) -> None:
-    for field in fields(LEARNERS[learner]):
-        with pytest.raises(NppgError, match=field.name):
-            LEARNERS[learner](**{field.name: "no"})

@@ -26,7 +26,7 @@ GROUPS = {
         "regressor", "models", "max_depth", "min_leaf", "min_variance", "significance", "granularity",
     ),
 }  # fmt: skip
-VALUE_FUNCTIONS = "learners of value functions (tg, rib, trendi)"  # all others
+OTHERS = f"other learners ({', '.join(name for name in LEARNERS if name != Options.learner)})"  # the options left
 _LIMITS = {
     "max_depth": "tests on the longest path of a tree",
     "min_examples": "each leaf holds at least so many examples",
@@ -48,7 +48,7 @@ def add_training_options(parser: argparse.ArgumentParser, first: argparse._Argum
         group = parser.add_argument_group(title)
         for name in names:
             _add_option(group, name, known.pop(name))
-    group = parser.add_argument_group(VALUE_FUNCTIONS)
+    group = parser.add_argument_group(OTHERS)
     for name, owners in known.items():
         _add_option(group, name, owners)
 

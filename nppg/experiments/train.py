@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.experiments.learners import options_of
@@ -10,16 +10,19 @@ from nppg.learning import training
 from nppg.learning.options import Common, Options
 from nppg.learning.training import Iteration
 from nppg.rrl import training as q_learning
-from nppg.rrl.options import QOptions
+from nppg.rrl.options import RIBOptions, TGOptions, TrendiOptions
 from nppg.worlds.domain import Domain
+
+# What learns, by the name of the learner; experiments/learners.py has the options.
+_GENERATORS: dict[str, Callable[..., Iterator[Iteration]]] = {
+    Options.learner: training.train,
+    **{each.learner: q_learning.train for each in (TGOptions, RIBOptions, TrendiOptions)},
+}
 
 
 def train(domain: Domain, bias: LanguageBias, options: Common | None = None) -> Iterator[Iteration]:
-    """Learns by policy gradients for Options, by relational Q-learning for TGOptions, RIBOptions or TrendiOptions; left
-    out, they are `options_of` the bias.
+    """Learns as the class of the options says: by policy gradients for Options, by relational Q-learning for TGOptions,
+    RIBOptions or TrendiOptions. Left out, they are `options_of` the bias.
     Yields as it learns, the first time before it has learned anything. Raises NppgError."""
     options = options_of(bias) if options is None else options
-    if isinstance(options, QOptions):
-        return q_learning.train(domain, bias, options)
-    assert isinstance(options, Options)
-    return training.train(domain, bias, options)
+    return _GENERATORS[options.learner](domain, bias, options)
