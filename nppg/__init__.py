@@ -56,6 +56,7 @@ _HOME = {
     "tilde": "nppg.trees",
     "train": "nppg.experiments.train",
 }
+__all__ = sorted(_HOME)
 
 
 def __getattr__(name: str) -> object:

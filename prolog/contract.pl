@@ -181,7 +181,8 @@ description(Module, _, predicates, Predicates) :-
               defined(Module, Name/Arity),
               \+ contract(Name/Arity),
               \+ memberchk(Name/Arity, [ nppg_fluent/1, nppg_uniform_start/0, nppg_interchangeable/1, nppg_environment/1,
-                                          parameter/2, halt/0, halt/1, setup_call_cleanup/3, call_cleanup/2 ]) ),
+                                          parameter/2, halt/0, halt/1, setup_call_catcher_cleanup/4,
+                                          setup_call_cleanup/3, call_cleanup/2 ]) ),
             Predicates0),
     sort(Predicates0, Predicates).
 description(Module, _, actions, Actions) :-

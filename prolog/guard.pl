@@ -120,35 +120,49 @@ keeps_limit(Frame) :-
 %   Makes halt/0 and halt/1 throw where code of the module calls them, and a cleanup end where one loops.
 
 tame(Module) :-
-    forall(tamed(Head, Body),
+    forall(tamed(Specification, Head, Body),
            ( functor(Head, Name, Arity),
              redefine_system_predicate(Module:Head),
-             assertz((Module:Head :- Body)),
+             meta_predicate(Module:Specification),
+             assertz(Module:(Head :- Body)),
              compile_predicates([Module:Name/Arity]) )).
 
-tamed(halt, throw(nppg_halt)).
-tamed(halt(_), throw(nppg_halt)).
-tamed(setup_call_cleanup(Setup, Goal, Cleanup), ( once(Setup), nppg_guard:cleaned(Goal, Cleanup) )).
-tamed(call_cleanup(Goal, Cleanup), nppg_guard:cleaned(Goal, Cleanup)).
+tamed(halt, halt, throw(nppg_halt)).
+tamed(halt(+), halt(_), throw(nppg_halt)).
+tamed(setup_call_catcher_cleanup(0, 0, ?, 0), setup_call_catcher_cleanup(Setup, Goal, Catcher, Cleanup),
+      ( once(Setup), nppg_guard:cleaned(Goal, Catcher, Cleanup) )).
+tamed(setup_call_cleanup(0, 0, 0), setup_call_cleanup(Setup, Goal, Cleanup),
+      ( once(Setup), nppg_guard:cleaned(Goal, _, Cleanup) )).
+tamed(call_cleanup(0, 0), call_cleanup(Goal, Cleanup), nppg_guard:cleaned(Goal, _, Cleanup)).
 
-%   once(Goal), then Cleanup. Prolog's own cleanups cannot be stopped: where the limit has stopped Goal, there is none.
+%   All answers of Goal, then Cleanup: later it might never come. Prolog's own cleanups cannot be stopped: where the
+%   limit has stopped Goal, there is none.
 
-:- meta_predicate cleaned(0, 0).
+:- meta_predicate cleaned(0, ?, 0).
 
-cleaned(Goal, Cleanup) :-
-    (   catch(Goal, Error, true)
-    ->  true
-    ;   Failed = true
-    ),
+cleaned(Goal, Catcher, Cleanup) :-
+    catch(findall(Goal, Goal, Answers), Error, true),
     (   nonvar(Error), ( Error == '$aborted' ; functor(Error, inference_limit_exceeded, _) )
     ->  throw(Error)
-    ;   ignore(catch(Cleanup, Late, true)),
+    ;   ended(Error, Answers, End),
+        (   Catcher = End
+        ->  ignore(catch(Cleanup, Late, true))
+        ;   true
+        ),
         (   nonvar(Error)
         ->  throw(Error)
         ;   nonvar(Late)
         ->  throw(Late)
-        ;   var(Failed)
+        ;   member(Goal, Answers)
         )
+    ).
+
+ended(Error, Answers, End) :-
+    (   nonvar(Error)
+    ->  End = exception(Error)
+    ;   Answers == []
+    ->  End = fail
+    ;   End = exit
     ).
 
 %   Where other code calls them for a domain they fail, and the question is answered by a fault. Prolog allows

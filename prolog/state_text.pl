@@ -25,9 +25,15 @@ read_state(Module, Text, Fluents, Facts) :-
 
 listed(Module, Text, Terms) :-
     format(string(Listed), '[~w]', [Text]),
-    catch(term_string(Terms, Listed, [module(Module)]), error(syntax_error(What), _),
-          ( format(atom(Message), 'a state is a list of facts, like on(b1, b2), on(b2, floor): ~w in ~q', [What, Text]),
-            throw(nppg_problems([-('', 0, 0, Message)])) )).
+    catch(term_string(Terms, Listed, [module(Module)]), error(syntax_error(What), _), no_list(What, Text)),
+    (   is_list(Terms)
+    ->  true
+    ;   no_list(no_list, Text)
+    ).
+
+no_list(What, Text) :-
+    format(atom(Message), 'a state is a list of facts, like on(b1, b2), on(b2, floor): ~w in ~q', [What, Text]),
+    throw(nppg_problems([-('', 0, 0, Message)])).
 
 no_fact(Module, Term, Fluents, Problem) :-
     shown(Term, Shown),

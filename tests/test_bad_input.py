@@ -546,6 +546,7 @@ CLEANUPS = {
     "loops": "setup_call_cleanup(true, true, (repeat, fail))",
     "loops behind a loop": "setup_call_cleanup(true, (repeat, fail), (repeat, fail))",
     "without a setup": "call_cleanup((repeat, fail), (repeat, fail))",
+    "with a catcher": "setup_call_catcher_cleanup(true, true, _, (repeat, fail))",
 }
 
 
@@ -562,6 +563,24 @@ def test_a_cleanup_cleans(tmp_path: Path) -> None:
     domain = Domain(tmp_path / "walk.pl")
     assert domain.situation(domain.state("at(0)")).status == "goal"
     assert domain.situation(domain.state("at(1)")).status == "running"
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "call_cleanup(spot(X), spot(1))",
+        "setup_call_cleanup(spot(_), spot(X), spot(1))",
+        "(setup_call_catcher_cleanup(spot(_), spot(X), End, spot(1)), End == exit)",
+        "catch(setup_call_catcher_cleanup(true, throw(up), exception(up), spot(1)), up, spot(X))",
+    ],
+)
+def test_a_cleanup_is_about_the_predicates_of_the_domain_and_keeps_all_answers(tmp_path: Path, body: str) -> None:
+    more = f"spot(1).\nspot(2).\ncleaned(X) :- {body}.\ngoal :- findall(X, cleaned(X), [1, 2]), at(0).\n"
+    (tmp_path / "walk.pl").write_text(text(goal=more))
+    domain = Domain(tmp_path / "walk.pl")
+    assert ("cleaned", 1) in domain.predicates and ("setup_call_catcher_cleanup", 4) not in domain.predicates
+    assert domain.situation(domain.state("at(0)")).status == "goal"
+    assert "unknown predicate spott/1" in problem(tmp_path, text(goal=more.replace("spot(X)", "spott(X)", 1)))
 
 
 def test_an_encoding_may_come_first(tmp_path: Path) -> None:

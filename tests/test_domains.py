@@ -298,6 +298,7 @@ def test_states_and_actions_are_written_and_read_as_prolog() -> None:
         ("onn(b1, b2)", r"^onn\(b1, ?b2\) is no fact of a declared fluent \(did you mean 'on/2'\?\)$"),
         ("on(b1, X)", r"^on\(b1, ?_\) is no fact \(it has an unbound variable\)$"),
         ("on(b1", r"^a state is a list of facts, like .*on\(b1'$"),
+        ("on(b1, b2)|More", r"^a state is a list of facts, like .*no_list in 'on\(b1, b2\)\|More'$"),
         ("3", r"^3 is no fact of a declared fluent$"),
         ('on(b1, "x")', r"^on\(b1, ?\"x\"\) is no fact \(only names"),
     ],

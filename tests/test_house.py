@@ -60,3 +60,9 @@ def test_the_names_that_pages_give_exist(page: Path) -> None:
 def test_the_front_door_lists_what_it_has() -> None:
     assert all(hasattr(nppg, name) for name in dir(nppg))
     assert {"Domain", "Options", "train", "evaluate", "Policy", "tilde"} <= set(dir(nppg))
+
+
+def test_a_star_brings_all_of_it() -> None:
+    found: dict[str, object] = {}
+    exec("from nppg import *", found)
+    assert {*found} - {"__builtins__"} == {*dir(nppg)} - {"__version__"}

@@ -659,6 +659,16 @@ def test_what_is_no_number_is_told_with_its_predicate(tmp_path: Path, odd: str, 
         assert (found.file, *mode[1:]) == ("b", found.line, found.column)
 
 
+def test_what_never_ends_is_not_told_as_no_number(tmp_path: Path) -> None:
+    """A bound asks for all answers, of which there is no end, where the literal alone asks for one."""
+    endless = DEPOT.replace("measured(X, W) :- weight(X, W).", "measured(X, W) :- weight(X, W), repeat.")
+    domain, bias = loaded(tmp_path, "depot", endless, DEPOT_BIAS.replace("weight", "measured"))
+    state: State = tuple(sorted([("red", "a"), ("weight", "a", 1), ("limit", 1)]))
+    with pytest.raises(NppgError, match="measured/2 took more than") as caught:
+        root_table(domain, bias, Refiner(bias)).answers(state, actions_of(state))
+    assert caught.value.problems[0].file == str(domain.path)
+
+
 def test_an_argument_that_is_no_number(depot) -> None:
     domain, bias = depot
     table = root_table(domain, bias, Refiner(bias))

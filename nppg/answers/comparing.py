@@ -9,6 +9,8 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.errors import NppgError, Problem
 from nppg.logic.query import OPEN, Literal, Query, Term, Var
 
+NO_NUMBER = "which is compared with a threshold and is no number"  # as prolog/test_clauses.pl says it too
+
 
 def mode_of(bound: Literal, test: Query, bias: LanguageBias) -> Mode | None:
     """The mode declaration that a bound of a test is an instance of; none in a bias that has none."""
@@ -30,8 +32,10 @@ def at_mode(problem: Problem, mode: Mode, bias: LanguageBias) -> Problem:
 
 
 def located(error: NppgError, bias: LanguageBias, tests: Iterable[Query], fails: Callable[[Query], bool]) -> NppgError:
-    """What tests have raised, with the place of the mode where it is the bound of one of them that fails. `fails` asks
-    a test by itself."""
+    """What tests have raised, where it is that something is no number with the place of the mode whose bound compares
+    it: one of a test that fails, and does not without it. `fails` asks a test by itself."""
+    if not any(NO_NUMBER in each.message for each in error.problems):
+        return error
     for test in tests:
         rest = tuple(each for each in test if each.name not in OPEN)
         for bound in (each for each in test if each.name in OPEN):

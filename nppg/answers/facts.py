@@ -11,7 +11,7 @@ from functools import partial
 
 import numpy as np
 
-from nppg.answers.comparing import at_mode, mode_of
+from nppg.answers.comparing import NO_NUMBER, at_mode, mode_of
 from nppg.answers.table import Table
 from nppg.bias.declarations import Mode
 from nppg.bias.language_bias import LanguageBias
@@ -131,7 +131,7 @@ class FactTable(Table):
                 return float(value)
             except OverflowError:
                 return np.inf if value > 0 else -np.inf
-        message = f"{source} gave {value}, which is compared with a threshold and is no number"
+        message = f"{source} gave {value}, {NO_NUMBER}"
         problem = Problem(str(self.domain.path), 0, 0, message)
         raise NppgError([at_mode(problem, mode, self.bias) if mode else problem])
 

@@ -17,6 +17,8 @@ test(empty, Facts == []) :-
     facts('', Facts).
 test(no_list, throws(nppg_problems([-('', 0, 0, _)]))) :-
     facts('boat(', _).
+test(open_list, throws(nppg_problems([-('', 0, 0, _)]))) :-
+    facts('boat(left)|More', _).
 test(no_fluent, throws(nppg_problems([-('', 0, 0,
                                        'ship(left) is no fact of a declared fluent', 'ship/1', ['boat/1', 'car/2', 'fuel/1'])]))) :-
     facts('boat(left), ship(left)', _).
