@@ -21,7 +21,7 @@ from typing import NamedTuple, TypeVar
 import yaml
 
 from nppg.errors import NppgError, Problem, suggestion
-from nppg.logic.query import OPEN, Constant
+from nppg.logic.query import OPEN, Constant, Real
 
 MIN_VARIANCE = 1e-9  # the default, which alone is in the square of the targets' unit
 KEYS = ("action", "goal", "subtypes", "types", "modes", "lookahead", "max_variables", "tree", "sentences")
@@ -354,7 +354,7 @@ class _Parser:
             value = float(token.text)
             if math.isinf(value):
                 raise ValueError
-            return int(token.text) if re.fullmatch(r"-?[0-9]+", token.text) else value
+            return int(token.text) if re.fullmatch(r"-?[0-9]+", token.text) else Real(value)
         except ValueError:
             raise _Mistake(token.offset, "the number is too large") from None
 

@@ -13,6 +13,7 @@ from collections import Counter
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from nppg.logic.query import exact
 from nppg.worlds.domain import Ground
 
 Form = tuple[int, ...]
@@ -67,7 +68,7 @@ class Canonizer:
         if term in self.objects:
             found.append(term)
             return ()
-        return (type(term).__name__, term)
+        return (exact(term),)
 
     def _part(self, facts: list[Encoded]) -> _Part:
         number: dict[Ground, int] = {}
