@@ -86,6 +86,7 @@ def test_objects_that_may_not_be_renamed_keep_their_names() -> None:
     assert canonizer.form([("on", "a", "x")])[0] != canonizer.form([("on", "a", "y")])[0]
     assert canonizer.form([("on", "a", 1)])[0] != canonizer.form([("on", "a", "1")])[0]
     assert canonizer.form([("on", "a", "x")])[0] == canonizer.form([("on", "b", "x")])[0]
+    assert len({canonizer.form([("on", "a", number)])[0] for number in (0, 0.0, -0.0, 1, 1.0)}) == 5
 
 
 def total(space: Space, status: str) -> int:

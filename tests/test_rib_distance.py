@@ -238,6 +238,8 @@ def test_no_goal_and_kinds_and_compounds(tmp_path: Path, bias_of: Callable[[str]
     assert measure.rows([use_a], [use_b]) == 2 + 1  # both cells, and the robot's list, which is one term
     other = tuple((name, "b", *rest) if rest and name == "c" else (name, *rest) for name, *rest in state)
     assert measure.describe(other, ["stop"]) == [stop]
+    numbers = [measure.describe((("cell", "a", ("f", each, "none")),), ["stop"])[0] for each in (0, 0.0, -0.0, 1, 1.0)]
+    assert len(set(numbers)) == 5
 
 
 def test_what_is_interchangeable_hangs_on_the_state_alone(tmp_path: Path, plain_bias: LanguageBias) -> None:

@@ -18,7 +18,7 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, is_open
 from nppg.bridge.terms import Ground
 from nppg.errors import NppgError, Problem
-from nppg.logic.query import OPEN, Literal, Query, Term, Var
+from nppg.logic.query import OPEN, Literal, Query, Term, Var, exact
 from nppg.worlds.domain import Action, Domain, State
 
 _MEMORY = 1000  # lists of actions whose answers are remembered
@@ -66,7 +66,7 @@ class FactTable(Table):
         self._of_state: dict[tuple, list[tuple[int, Least]]] = {}  # by key: columns, and how they are read
         self._unmet: dict[int, float] = {}  # columns that hang on the state alone, with the answer where nothing holds
         self._readers: dict[str, list[tuple[int, Reader]]] = {"action": [], "both": []}
-        self._known: dict[tuple[Action, ...], np.ndarray] = {}  # answers that hang on the actions alone
+        self._known: dict[object, np.ndarray] = {}  # answers that hang on the actions alone
 
     def _prepare(self, columns: Sequence[int]) -> None:
         self._known.clear()
@@ -99,7 +99,7 @@ class FactTable(Table):
         if literal.name == KIND:
             return float(roots[_KIND] != literal.args[0])
         left, right = (_value(arg, roots) for arg in literal.args)
-        return float(left is None or right is None or _exact(left) != _exact(right))
+        return float(left is None or right is None or exact(left) != exact(right))
 
     def _of_fluent(self, shape: Shape, literal: Literal, least: Least, facts: Facts, roots: Roots) -> float:
         return least(facts.get(_key(shape, [_value(arg, roots) for arg in literal.args]), ()))
@@ -161,12 +161,13 @@ class FactTable(Table):
         return facts
 
     def _of_actions(self, actions: tuple[Action, ...]) -> np.ndarray:
-        if actions not in self._known:
+        key = exact(actions)
+        if key not in self._known:
             if len(self._known) >= _MEMORY:
                 self._known.clear()
             readers = self._readers["action"]
-            self._known[actions] = np.array([[read({}, self._roots(each)) for _, read in readers] for each in actions])
-        return self._known[actions]
+            self._known[key] = np.array([[read({}, self._roots(each)) for _, read in readers] for each in actions])
+        return self._known[key]
 
     def _roots(self, action: Action) -> Roots:
         name, *args = action if isinstance(action, tuple) else (action,)
@@ -188,9 +189,4 @@ def _sign(bound: Literal) -> float:
 
 def _key(shape: Shape, args: Sequence) -> tuple:
     """What stands in the places of a shape."""
-    return (shape, *[_exact(args[i]) for i in shape[2]])
-
-
-def _exact(value: Ground | None) -> tuple:
-    """Tells 1 from 1.0, as Prolog does."""
-    return type(value), value
+    return (shape, *[exact(args[i]) for i in shape[2]])

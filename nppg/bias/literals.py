@@ -9,7 +9,7 @@ from typing import NamedTuple, TypeVar
 
 from nppg.bias.declarations import Argument
 from nppg.bias.names import is_name, written
-from nppg.logic.query import OPEN, Constant
+from nppg.logic.query import OPEN, Constant, Real
 
 Item = TypeVar("Item")
 Parsed = tuple[str, list[tuple[Argument, int]]]  # its name and its arguments, each with its offset
@@ -152,7 +152,7 @@ class _Parser:
             value = float(token.text)
             if math.isinf(value):
                 raise ValueError
-            return int(token.text) if re.fullmatch(r"-?[0-9]+", token.text) else value
+            return int(token.text) if re.fullmatch(r"-?[0-9]+", token.text) else Real(value)
         except ValueError:
             raise Mistake(token.offset, "the number is too large") from None
 

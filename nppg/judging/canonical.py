@@ -14,6 +14,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from nppg.bridge.terms import Ground
+from nppg.logic.query import exact
 
 Form = tuple[int, ...]
 Encoded = tuple[int, tuple[Ground, ...]]  # the number of a fact's shape, which is the fact without its objects; those
@@ -67,7 +68,7 @@ class Canonizer:
         if term in self.objects:
             found.append(term)
             return ()
-        return (type(term).__name__, term)
+        return (exact(term),)
 
     def _part(self, facts: list[Encoded]) -> _Part:
         number: dict[Ground, int] = {}

@@ -18,6 +18,35 @@ Constant = str | int | float
 OPEN = {"=<": -math.inf, ">=": math.inf}  # by the names of bounds
 
 
+class Real(float):
+    """A float among the constants of queries. It is equal to what Prolog takes for the same, so 1.0 is not 1 and -0.0
+    not 0.0, as they are to Python; two queries that name them are two."""
+
+    __slots__ = ()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, float) and exact(self) == exact(other)
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    __hash__ = float.__hash__
+
+
+def exact(value: object) -> object:
+    """What is equal for two ground terms exactly where they are the same to Prolog."""
+    if isinstance(value, float):
+        return "float", value.hex()
+    if isinstance(value, tuple):
+        return tuple(map(exact, value))
+    return type(value), value
+
+
+def constant(value: Constant) -> Constant:
+    """A value as the constant of a query."""
+    return Real(value) if isinstance(value, float) else value
+
+
 class Var(NamedTuple):
     """A variable, known by its number."""
 

@@ -21,6 +21,7 @@ import numpy as np
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.terms import Ground
 from nppg.errors import NppgError
+from nppg.logic.query import exact
 from nppg.rrl.matching import PartSets, grown
 from nppg.worlds.domain import Action, Domain, State
 
@@ -103,7 +104,9 @@ class PairDistance:
             return names[term]
         if isinstance(term, tuple):
             return self._number((term[0], *(self._symbol(arg, names) for arg in term[1:])))
-        return self._number((None, self._kinds[term]) if term in self._kinds else term)
+        if term in self._kinds:
+            return self._number((None, self._kinds[term]))
+        return self._number((None, exact(term)) if isinstance(term, float) else term)
 
     def _number(self, item: object) -> int:
         """Numbers what parts and labels are made of, from 1: constants and, as tuples, compounds, which begin with a

@@ -13,7 +13,7 @@ from nppg.bias.declarations import Template
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND
 from nppg.bridge.terms import encoded
-from nppg.logic.query import OPEN, Literal, Term, Var, solve_equalities, substitute, tightened
+from nppg.logic.query import OPEN, Literal, Term, Var, constant, solve_equalities, substitute, tightened
 from nppg.trees.tree import Rule
 
 ClauseData = list
@@ -56,19 +56,20 @@ def from_clause(head: list, body: list[list], value: float, bias: LanguageBias) 
         for i, arg in enumerate(args):
             root = Var(offset + i)
             if isinstance(arg, list):
-                query.append(Literal("=", (root, arg[0])))
+                query.append(Literal("=", (root, constant(arg[0]))))
             elif arg in terms:
                 query.append(Literal("=", (terms[arg], root)))
             else:
                 terms[arg] = root
 
-    def read(args: list[ArgumentData]) -> tuple[Term, ...]:
+    def read(name: str, args: list[ArgumentData]) -> tuple[Term, ...]:
         fresh = len(bias.roots) + sum(var.index >= len(bias.roots) for var in terms.values() if isinstance(var, Var))
         for arg in args:
             if not isinstance(arg, list) and arg not in terms:
                 terms[arg] = Var(fresh)
                 fresh += 1
-        return tuple(arg[0] if isinstance(arg, list) else terms[arg] for arg in args)
+        given = (lambda number: number) if name in OPEN else constant
+        return tuple(given(arg[0]) if isinstance(arg, list) else terms[arg] for arg in args)
 
     if head:
         name, *args = head
@@ -90,7 +91,7 @@ def from_clause(head: list, body: list[list], value: float, bias: LanguageBias) 
                 raise ValueError(f"a bound is a variable from before, {name} and a finite number")
         elif len(bias.types.get(name, ())) != len(args) or name not in bias.types:
             raise ValueError(f"{name}/{len(args)} is no declared predicate")
-        query.append(Literal(name, read(args)))
+        query.append(Literal(name, read(name, args)))
     if not abs(value) <= sys.float_info.max:
         raise ValueError("the value of a rule is a finite number")
     return Rule(tuple(query), float(value))
