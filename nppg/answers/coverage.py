@@ -17,10 +17,10 @@ from nppg.answers.table import WORD, Table, TestTable, measure, unpacked
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, Refiner
 from nppg.bridge.prolog import ask
-from nppg.bridge.terms import encoded
+from nppg.bridge.terms import encoded, plain
 from nppg.errors import NppgError
 from nppg.logic.query import Literal, Query
-from nppg.worlds.domain import Action, Domain, State
+from nppg.worlds.domain import Action, Domain, State, facts_of
 
 Known = Mapping[Query, np.ndarray]
 
@@ -112,9 +112,9 @@ class Coverage:
         if table.loaded() is not self:
             runs = self._runs()
             numbers = np.repeat(np.arange(len(runs)), [b - a for a, b in runs]).tolist()
-            pairs = [[number, action] for number, action in zip(numbers, self.actions, strict=True)]
+            pairs = [[number, action] for number, action in zip(numbers, plain(self.actions), strict=True)]
             table.domain.forget()
-            ask("examples", table.name, [list(self.states[a]) for a, _ in runs], pairs)
+            ask("examples", table.name, [facts_of(self.states[a]) for a, _ in runs], pairs)
             table.loaded = weakref.ref(self)
 
 

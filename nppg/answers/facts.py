@@ -16,10 +16,10 @@ from nppg.answers.table import Table
 from nppg.bias.declarations import Mode
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, is_open
-from nppg.bridge.terms import Ground
+from nppg.bridge.terms import Ground, plain
 from nppg.errors import NppgError, Problem
 from nppg.logic.query import OPEN, Literal, Query, Term, Var, exact
-from nppg.worlds.domain import Action, Domain, State
+from nppg.worlds.domain import Action, Domain, State, facts_of
 
 _MEMORY = 1000  # lists of actions whose answers are remembered
 _KIND = -1  # a root variable of its own
@@ -136,8 +136,9 @@ class FactTable(Table):
         raise NppgError([at_mode(problem, mode, self.bias) if mode else problem])
 
     def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
+        actions = plain(actions)
         numbers = np.empty((len(actions), len(self)))
-        facts = self._by_shape(state)
+        facts = self._by_shape(facts_of(state))
         numbers[:, list(self._unmet)] = self._about_state(facts)
         if self._readers["action"]:
             numbers[:, [column for column, _ in self._readers["action"]]] = self._of_actions(tuple(actions))
@@ -152,7 +153,7 @@ class FactTable(Table):
                 found[column] = least(all_args)
         return list(found.values())
 
-    def _by_shape(self, state: State) -> Facts:
+    def _by_shape(self, state: Iterable[Ground]) -> Facts:
         facts: Facts = {}
         for fact in state:
             name, args = (fact[0], fact[1:]) if isinstance(fact, tuple) else (fact, ())

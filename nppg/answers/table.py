@@ -17,7 +17,7 @@ from nppg.answers.comparing import located
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, is_open
 from nppg.bridge.prolog import ask, drop_with
-from nppg.bridge.terms import encoded
+from nppg.bridge.terms import encoded, plain
 from nppg.errors import NppgError
 from nppg.logic.query import OPEN, Literal, Query, opened, variables
 from nppg.worlds.domain import Action, Domain, State
@@ -205,7 +205,7 @@ class TestTable(Table):
 
     def _asked(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         self.domain.visit(state)
-        kinds, words = ask("answers", self.name, actions)
+        kinds, words = ask("answers", self.name, plain(actions))
         if len(set(kinds)) == 1:
             return self._groups[kinds[0]].rows(words, len(actions))
         result = np.empty((len(actions), len(self)), float if self.numeric else bool)

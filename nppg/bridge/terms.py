@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from itertools import chain
 from typing import Any
 
+from nppg.bridge.plain import alone
 from nppg.bridge.prolog import ask
+from nppg.errors import NppgError
 from nppg.logic.query import Query, Var
 
 Ground = str | int | float | tuple  # a name, a number, or a tuple of a name and its arguments
@@ -18,6 +22,44 @@ class Compound(tuple):
 
     def __str__(self) -> str:
         return texts([self])[0]
+
+
+_ATOMS = frozenset({str, int, float})
+_OWN = frozenset({str, Compound})
+_FLAT = frozenset({str, Compound, tuple})
+
+
+def plain(terms: Iterable[Ground]) -> list[Ground]:
+    """Facts or actions that somebody has made, with Python's numbers in place of NumPy's. What nppg has made, which are
+    Compounds, is not looked into. Raises NppgError for what is no term."""
+    found = list(terms)
+    kinds = {*map(type, found)}
+    if kinds <= _OWN:
+        return found
+    if kinds <= _FLAT and {*map(type, chain.from_iterable(found))} <= _ATOMS and () not in found:  # type: ignore[arg-type]
+        return found
+    return [each if _is_plain(each) else _made_plain(each) for each in found]
+
+
+def _is_plain(term: Ground) -> bool:
+    """Nothing recurs here, either."""
+    unread = [term]
+    while unread:
+        each = unread.pop()
+        if type(each) not in _ATOMS:
+            if not isinstance(each, tuple) or not each:
+                return False
+            unread.extend(each)
+    return True
+
+
+def _made_plain(term: Any) -> Ground:
+    term = alone(term)
+    if isinstance(term, tuple | list) and len(term):
+        return tuple(map(_made_plain, term))
+    if isinstance(term, str | int | float | Fraction) and not isinstance(term, bool):
+        return term  # type: ignore[return-value]
+    raise NppgError(f"{term!r} is no term: that is a name, a number, or a tuple of a name and its arguments")
 
 
 def texts(terms: Sequence[Ground]) -> list[str]:

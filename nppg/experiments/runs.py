@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from nppg.bias.language_bias import LanguageBias
+from nppg.bridge.plain import alone
 from nppg.errors import NppgError, Problem
 from nppg.experiments.learners import options_of
 from nppg.experiments.progress import Point, Progress
@@ -51,10 +52,10 @@ def run(
         raise NppgError(problems)
     _make_folder(output)
     judging = {
-        "evaluate_every": evaluate_every,
-        "starts": starts,
-        "until_success": until_success,
-        "until_return": until_return,
+        "evaluate_every": alone(evaluate_every),
+        "starts": alone(starts),
+        "until_success": alone(until_success),
+        "until_return": alone(until_return),
     }
     progress: Progress | None = None
     try:

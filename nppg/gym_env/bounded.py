@@ -21,6 +21,7 @@ from nppg.bias.text import literal_text
 from nppg.bridge.files import locate
 from nppg.errors import NppgError, Problem
 from nppg.gym_env.domain_env import DomainEnv, spaces
+from nppg.learning.options import at_least
 from nppg.worlds.domain import Action, Domain, State
 from nppg.worlds.opening import language_bias_of
 
@@ -47,8 +48,8 @@ class BoundedEnv(DomainEnv):
         render_mode: str | None = None,
     ):
         super().__init__(domain, parameters, horizon_factor, render_mode)
-        if slots is not None and slots < 1:
-            raise NppgError(f"slots must be at least 1, not {slots}")
+        if slots is not None:
+            slots = at_least("slots", slots, 1)
         if bias is None:
             bias = language_bias_of(self.domain)
         elif not isinstance(bias, LanguageBias):

@@ -9,11 +9,13 @@ from typing import Any
 
 import numpy as np
 
+from nppg.bridge.plain import alone
 from nppg.bridge.terms import texts
 from nppg.errors import NppgError, Problem
 from nppg.learning.episode import IDLE, longest
 from nppg.learning.options import Options
 from nppg.worlds.domain import Action, State
+from nppg.worlds.gym_values import Unfit, whole
 from nppg.worlds.opening import open_domain
 
 try:
@@ -81,6 +83,8 @@ class Choice(spaces.Space):
         return self.np_random.integers((self._follows or self).count or self.GUESSED)
 
     def contains(self, x: Any) -> bool:
+        if isinstance(x, np.ndarray) and x.shape == ():
+            x = x.item()
         return isinstance(x, (int, np.integer)) and bool(x >= 0)
 
     @property
@@ -141,7 +145,7 @@ class DomainEnv(gymnasium.Env):
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Draws a start state that leaves something to do. No options are known."""
-        super().reset(seed=seed)
+        super().reset(seed=alone(seed))
         for _ in range(IDLE):
             self.state = self.domain.start(self.np_random)
             self._limit = longest(self.domain.horizon(self.state), self.horizon_factor)
@@ -155,6 +159,10 @@ class DomainEnv(gymnasium.Env):
     def step(self, action: int) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         if not self._limit:
             raise gymnasium.error.ResetNeeded("call reset() before step()")
+        try:
+            action = whole("the action", action)
+        except Unfit as unfit:
+            raise NppgError(str(unfit)) from None
         legal = self._status == "running" and 0 <= action < len(self.actions)
         reward = 0.0
         if legal:

@@ -40,8 +40,7 @@ def evaluate(
     policy: Policy, starts: int = 1000, seed: int = 0, greedy: bool = False, horizon_factor: float = 1.0
 ) -> Evaluation:
     """Sampled: one episode from each of `starts` random start states, from a generator of its own."""
-    at_least("starts", starts, 1)
-    at_least("seed", seed, 0)
+    starts, seed = at_least("starts", starts, 1), at_least("seed", seed, 0)
     greedy = greedy or policy.greedy
     rng = np.random.default_rng([seed, 0x6E707067])
     successes, steps, total = 0, 0, 0.0

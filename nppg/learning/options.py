@@ -6,13 +6,18 @@ import sys
 from dataclasses import Field, dataclass, field, fields
 from typing import Any, ClassVar
 
+from nppg.bridge.plain import alone
 from nppg.errors import NppgError, Problem
 
 
-def at_least(name: str, value: int, low: int) -> None:
-    """Raises NppgError for a value below `low`."""
+def at_least(name: str, value: int, low: int) -> int:
+    """The value as Python's own. Raises NppgError for one below `low`, or that is no whole number."""
+    value = alone(value)
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise NppgError(f"{name} must be a whole number, not {value!r}")
     if value < low:
         raise NppgError(f"{name} must be at least {low}, not {value}")
+    return value
 
 
 def option(default: Any, help: str, **bounds: Any) -> Any:
@@ -38,6 +43,8 @@ class Common:
     horizon_factor: float = option(1.0, "episodes end after this many times the domain's horizon", low=0)
 
     def __post_init__(self) -> None:
+        for each in fields(self):
+            object.__setattr__(self, each.name, alone(getattr(self, each.name)))
         wrong = [problem for each in fields(self) if (problem := problem_of(each, getattr(self, each.name)))]
         if wrong:
             raise NppgError(Problem("", 0, 0, message) for message in wrong)

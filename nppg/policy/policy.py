@@ -13,7 +13,7 @@ from nppg.answers.coverage import table_of
 from nppg.answers.table import Table, TestTable
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.prolog import ask, drop_with
-from nppg.bridge.terms import Ground
+from nppg.bridge.terms import Ground, plain
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.logic.query import Var
 from nppg.policy import model
@@ -97,7 +97,7 @@ class Policy:
     def prolog_potentials(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """Psi(s, a) summed clause by clause in Prolog."""
         self.domain.visit(state)
-        return np.array(ask("potentials", self.name, actions))
+        return np.array(ask("potentials", self.name, plain(actions)))
 
     def distribution(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """pi(s, a) of each action, shape (actions,)."""

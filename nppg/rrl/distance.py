@@ -19,7 +19,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
-from nppg.bridge.terms import Ground
+from nppg.bridge.terms import Ground, plain
 from nppg.errors import NppgError
 from nppg.logic.query import exact
 from nppg.rrl.matching import PartSets, grown
@@ -71,7 +71,7 @@ class PairDistance:
             goal = self.domain.binding(state, self.goal.name, arity)
             if not self.domain.has_parts:
                 parts = tuple(part for part in parts if (part[0], len(part) - 1) != (self.goal.name, arity))
-        return np.array([self._class(state, action, goal, parts) for action in actions], np.int64)
+        return np.array([self._class(state, action, goal, parts) for action in plain(actions)], np.int64)
 
     def _class(
         self, state: State, action: Action, goal: tuple[Ground, ...], parts: tuple[tuple[Ground, ...], ...]

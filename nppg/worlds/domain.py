@@ -15,8 +15,9 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from nppg.bridge.files import locate
+from nppg.bridge.plain import alone
 from nppg.bridge.prolog import ask, check_thread, drop_with, randomness
-from nppg.bridge.terms import Ground, compounds, ground, texts
+from nppg.bridge.terms import Ground, compounds, ground, plain, texts
 from nppg.errors import NppgError, Problem
 
 State = tuple[Ground, ...]  # facts in Prolog's standard order
@@ -30,6 +31,17 @@ class Interpretation(State):
 
     def __str__(self) -> str:
         return ", ".join(texts(self))
+
+
+def facts_of(state: State) -> list[Ground]:
+    """A state's facts, with Python's numbers where somebody has made it with NumPy's. Raises NppgError."""
+    return list(state) if type(state) is Interpretation else plain(state)
+
+
+def named(parameters: Mapping[str, int | float | str] | None) -> dict[str, int | float | str]:
+    """Parameters as Prolog has them: NumPy's numbers are numbers, True and False are the names true and false."""
+    values = {name: alone(value) for name, value in (parameters or {}).items()}
+    return {name: str(value).lower() if isinstance(value, bool) else value for name, value in values.items()}
 
 
 class Situation(NamedTuple):
@@ -112,7 +124,7 @@ class Domain:
 
     def __init__(self, name_or_path: str | Path, parameters: Mapping[str, int | float | str] | None = None):
         self.path = locate(name_or_path, "domains", ".pl")
-        self.given = dict(parameters or {})
+        self.given = named(parameters)
         try:
             self.source = self.path.read_bytes()
         except OSError as error:
@@ -159,7 +171,7 @@ class Domain:
         check_thread()  # what is remembered of the current state is not to be seen while it changes
         if state is not self._loaded.current:
             self.forget()
-            ask("visit", self.module, list(state))
+            ask("visit", self.module, facts_of(state))
             self._loaded.current = state
 
     def forget(self) -> None:
@@ -206,14 +218,14 @@ class Domain:
         self.visit(state)
         self.forget()
         with randomness(rng):
-            reward, facts, self._loaded.situation = ask("act", self.module, action)
+            reward, facts, self._loaded.situation = ask("act", self.module, *plain([action]))
         self._loaded.current = following = Interpretation(ground(facts))
         return reward, following
 
     def reward(self, state: State, action: Action) -> float:
         """The reward for an action that has just led to the state."""
         self.visit(state)
-        return ask("reward_of", self.module, action)
+        return ask("reward_of", self.module, *plain([action]))
 
     def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
         """Every legal action, also of a goal or terminal state, with all its outcomes."""
@@ -238,7 +250,7 @@ class Domain:
     def parts(self, state: State) -> tuple[tuple[Ground, ...], ...]:
         """The sequences of terms that two states are compared by: what the domain's parts/1 says, else the facts."""
         if not self.has_parts:
-            return tuple(fact if isinstance(fact, tuple) else (fact,) for fact in state)
+            return tuple(fact if isinstance(fact, tuple) else (fact,) for fact in facts_of(state))
         self.visit(state)
         return ground(ask("parts_of", self.module))
 

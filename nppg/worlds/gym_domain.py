@@ -19,9 +19,10 @@ import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.interrupts import heed_interrupt
+from nppg.bridge.terms import Compound, plain
 from nppg.errors import NppgError, Problem
 from nppg.worlds import gym_values
-from nppg.worlds.domain import Action, Domain, Interpretation, Outcome, Situation, State
+from nppg.worlds.domain import Action, Domain, Interpretation, Outcome, Situation, State, named
 from nppg.worlds.gym_files import bias_text, domain_text
 from nppg.worlds.gym_make import Made, make, told
 
@@ -52,13 +53,13 @@ class GymDomain(Domain):
         parameters: Mapping[str, int | float | str] | None = None,
         made: Made | None = None,
     ):
-        given = _named(parameters)
+        given = named(parameters)
         super().__init__(path, given)
         self.parameters = {**given, **self.parameters}
         self.generated = made is not None  # its file, which has no place then
         self._made = made or make(self.environment, self.parameters)
         numbers = actions_of(self._made)
-        self._numbers: dict[Action, int] = {("do", number): number for number in numbers}
+        self._numbers: dict[Action, int] = {Compound(("do", number)): number for number in numbers}
         self._running = Situation("running", list(self._numbers))
         self._read, self._components = _reader(self._made)
         self._masks = _method(self._made.env, _MASKS)
@@ -126,7 +127,10 @@ class GymDomain(Domain):
             raise self._mistake(_ELSEWHERE)
         if self._now.status != "running":
             raise self._mistake("the episode has ended, and no action leads on")
-        number = self._numbers.get(action)
+        try:
+            number = self._numbers.get(action)
+        except TypeError:  # a number that an array wraps has no hash
+            number = self._numbers.get(plain([action])[0])
         if number is None:
             raise self._mistake(f"{action!r} is no action")
         self._state = None
@@ -175,7 +179,7 @@ class GymDomain(Domain):
 
 def open_environment(id: str, parameters: Mapping[str, int | float | str] | None = None) -> GymDomain:
     """The domain of an environment, from a generated file. Raises NppgError, naming gym:ID."""
-    given = _named(parameters)
+    given = named(parameters)
     made = make(id, given)
     name = re.split("[:/]", made.id)[-1]
     with tempfile.TemporaryDirectory() as folder:
@@ -184,13 +188,6 @@ def open_environment(id: str, parameters: Mapping[str, int | float | str] | None
         domain = GymDomain(path, given, made)
     domain.path = Path(path.name)
     return domain
-
-
-def _named(parameters: Mapping[str, int | float | str] | None) -> dict[str, int | float | str]:
-    """Parameters as Prolog has them: true and false are names."""
-    return {
-        name: str(value).lower() if isinstance(value, bool) else value for name, value in (parameters or {}).items()
-    }
 
 
 def actions_of(made: Made) -> range:

@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from nppg.bridge.plain import alone
+
 _SHOWN = 80  # characters of a value that a message has
 
 
@@ -105,11 +107,6 @@ def parts(what: str, value: Any, names: str) -> tuple[Any, ...] | list[Any]:
     if isinstance(value, tuple | list) and len(value) == count:
         return value
     raise _unfit(what, value, f"and not {count} values: {names}")
-
-
-def alone(value: Any) -> Any:
-    """The only element of an array that has one, as a plain number; everything else as it is."""
-    return value.item() if isinstance(value, np.ndarray) and value.size == 1 else value
 
 
 def _unfit(what: str, value: Any, problem: str) -> Unfit:
