@@ -7,6 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from nppg import tilde as tilde
     from nppg.bias.language_bias import LanguageBias as LanguageBias
     from nppg.errors import NppgError as NppgError
     from nppg.experiments.learners import options_of as options_of
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
     from nppg.rrl.options import TrendiOptions as TrendiOptions
     from nppg.rules.distill import distill as distill
     from nppg.rules.proof import prove as prove
-    from nppg.trees import tilde as tilde
     from nppg.worlds.domain import Domain as Domain
     from nppg.worlds.opening import language_bias_of as language_bias_of
     from nppg.worlds.opening import open_domain as open_domain
@@ -53,7 +53,7 @@ _HOME = {
     "options_of": "nppg.experiments.learners",
     "prove": "nppg.rules.proof",
     "run": "nppg.experiments.runs",
-    "tilde": "nppg.trees",
+    "tilde": "nppg",
     "train": "nppg.experiments.train",
 }
 __all__ = sorted(_HOME)
