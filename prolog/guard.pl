@@ -120,20 +120,23 @@ keeps_limit(Frame) :-
 %   Makes halt/0 and halt/1 throw where code of the module calls them, and a cleanup end where one loops.
 
 tame(Module) :-
-    forall(tamed(Specification, Head, Body),
+    forall(tamed(Head, Body),
            ( functor(Head, Name, Arity),
              redefine_system_predicate(Module:Head),
-             meta_predicate(Module:Specification),
+             forall(asks(Head, Goals), meta_predicate(Module:Goals)),
              assertz(Module:(Head :- Body)),
              compile_predicates([Module:Name/Arity]) )).
 
-tamed(halt, halt, throw(nppg_halt)).
-tamed(halt(+), halt(_), throw(nppg_halt)).
-tamed(setup_call_catcher_cleanup(0, 0, ?, 0), setup_call_catcher_cleanup(Setup, Goal, Catcher, Cleanup),
+tamed(halt, throw(nppg_halt)).
+tamed(halt(_), throw(nppg_halt)).
+tamed(setup_call_catcher_cleanup(Setup, Goal, Catcher, Cleanup),
       ( once(Setup), nppg_guard:cleaned(Goal, Catcher, Cleanup) )).
-tamed(setup_call_cleanup(0, 0, 0), setup_call_cleanup(Setup, Goal, Cleanup),
-      ( once(Setup), nppg_guard:cleaned(Goal, _, Cleanup) )).
-tamed(call_cleanup(0, 0), call_cleanup(Goal, Cleanup), nppg_guard:cleaned(Goal, _, Cleanup)).
+tamed(setup_call_cleanup(Setup, Goal, Cleanup), ( once(Setup), nppg_guard:cleaned(Goal, _, Cleanup) )).
+tamed(call_cleanup(Goal, Cleanup), nppg_guard:cleaned(Goal, _, Cleanup)).
+
+asks(setup_call_catcher_cleanup(_, _, _, _), setup_call_catcher_cleanup(0, 0, ?, 0)).
+asks(setup_call_cleanup(_, _, _), setup_call_cleanup(0, 0, 0)).
+asks(call_cleanup(_, _), call_cleanup(0, 0)).
 
 %   All answers of Goal, then Cleanup: later it might never come. Prolog's own cleanups cannot be stopped: where the
 %   limit has stopped Goal, there is none.

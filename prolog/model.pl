@@ -230,7 +230,8 @@ not_a_model(File, Terms) :-
     ->  true
     ;   Line = 0
     ),
-    throw(nppg_problems([-(File, Line, 0, 'this is no part of an nppg model, or the file is truncated here')])).
+    Message = 'this is no part of an nppg model, or the file is truncated here or was written by another version of nppg',
+    throw(nppg_problems([-(File, Line, 0, Message)])).
 
 rules([], _, []).
 rules([Term-Line|Terms], File, [Rule|Rules]) :-

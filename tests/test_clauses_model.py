@@ -196,6 +196,13 @@ def test_a_wrong_head_is_refused(model: Path, old: str, new: str) -> None:
         Policy.load(model)
 
 
+def test_what_another_version_has_written_may_be_so(model: Path) -> None:
+    """The predicates for plain Prolog are those of the version that wrote the file."""
+    model.write_text(model.read_text().replace("best_action(Action) :-", "best_action(Best, Action) :-"))
+    with pytest.raises(NppgError, match="written by another version of nppg"):
+        Policy.load(model)
+
+
 def test_plain_prolog_gives_the_greedy_action(setting, policy: Policy, tmp_path: Path) -> None:
     domain, _, _, _ = setting
     policy.save(tmp_path / "model.pl")
