@@ -30,7 +30,7 @@ OTHERS = f"other learners ({', '.join(name for name in LEARNERS if name != Optio
 _LIMITS = {
     "max_depth": "tests on the longest path of a tree",
     "min_examples": "each leaf holds at least so many examples",
-    "min_variance": "a node with less is a leaf; 1e-9 is in the square of the largest return, any other is absolute",
+    "min_variance": "a node with less is a leaf; 1e-9 goes along with the returns' size, others do not",
     "significance": "level of the F-test that a split must pass; 1 switches it off",
     "granularity": "at most so many thresholds of a bound are tried at a node; 0: every cut point",
 }

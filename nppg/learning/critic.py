@@ -16,7 +16,7 @@ from nppg.learning.options import Options
 from nppg.learning.regressors import Examples, regressor
 from nppg.learning.visits import Visit
 from nppg.policy.policy import Policy
-from nppg.trees.tilde import largest
+from nppg.trees.tilde import size_of
 from nppg.worlds.domain import Domain, State
 
 STATE = "state"  # the one action that the value function's trees are about, so that they are about states
@@ -82,7 +82,7 @@ class ValueFunction:
             return
         states = [visit.step.state for visit in own]
         targets = np.array([visit.value for visit in own]) + self(states)
-        unit = largest(targets)
+        unit = size_of(targets)
         for _ in range(self.options.critic_trees):
             answers = self._answers(states)
             residuals = targets - self.trees.potentials_of(answers)

@@ -26,7 +26,7 @@ from nppg.worlds.domain import Action, Domain, State
 class Examples:
     """State-action pairs, those of one state standing together; with the rows of the table's answers about them,
     shape (pairs, tests), the target of each, shape (pairs,), what makes the tree a second-order step, if it is, and the
-    unit of the targets: the largest of what they are made from."""
+    unit of the targets: the size of what they are made from."""
 
     states: list[State]
     actions: list[Action]

@@ -17,7 +17,7 @@ from nppg.learning.options import Options
 from nppg.learning.regressors import Examples, regressor
 from nppg.learning.visits import Visit, kept, normalised, revisited
 from nppg.policy.policy import Policy
-from nppg.trees.tilde import Newton
+from nppg.trees.tilde import Newton, size_of
 from nppg.trees.tree import leaves
 from nppg.worlds.domain import Action, Domain, State
 
@@ -62,7 +62,7 @@ def examples(batch: Sequence[Visit], options: Options, trees: int = 0) -> Exampl
         np.concatenate(answers),
         np.concatenate(gradients),
         newton if options.step == "second-order" else None,
-        max((abs(value) for _, value, _ in batch), default=0.0),
+        size_of(np.array([value for _, value, _ in batch])),
     )
 
 

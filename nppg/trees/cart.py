@@ -17,7 +17,7 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, closed, is_open
 from nppg.errors import NppgError
 from nppg.logic.query import Literal, Query, Var, substitute, variables
-from nppg.trees.tilde import Newton, is_pure, is_significant, largest, leaf
+from nppg.trees.tilde import Newton, is_pure, is_significant, leaf, size_of
 from nppg.trees.tree import Node, Tree
 
 _LARGEST = float(np.finfo(np.float32).max)  # scikit-learn rounds what it splits to single precision
@@ -47,16 +47,16 @@ def grow(
     """Grows a tree for one target per row of answers: of means, or for a second-order step; below `query`, which holds
     for all. The splits of the latter are those of the targets f / h weighted by h; `regularisation` and `clip` are a
     matter of the leaves. `unit` is as in TILDE. Raises NppgError as scikit_learn() does."""
-    unfitted, unit = scikit_learn(limits), largest(targets) if unit is None else unit
+    unfitted, unit = scikit_learn(limits), size_of(targets) if unit is None else unit
     every = np.arange(len(targets))
     if limits.max_depth == 0 or rows.size == 0:
         return leaf(targets, every, newton)
     numbers = np.where(rows, 0.0, 1.0) if rows.dtype == bool else rows
-    wanted, weights = targets / _power_of_2(largest(targets)), None  # to scikit-learn a variance of 2e-16 is none
+    wanted, weights = targets / _power_of_2(size_of(targets)), None  # to scikit-learn a variance of 2e-16 is none
     if newton:
-        weights = np.maximum(newton.curvatures, 1e-12 * (largest(newton.curvatures) or 1.0))
+        weights = np.maximum(newton.curvatures, 1e-12 * (size_of(newton.curvatures) or 1.0))
         wanted = targets / weights
-        wanted /= _power_of_2(largest(wanted))
+        wanted /= _power_of_2(size_of(wanted))
     found = unfitted.fit(np.minimum(numbers, _LARGEST), wanted, sample_weight=weights).tree_
 
     def node(number: int, query: Query, members: np.ndarray, asked: dict[int, Query]) -> Tree:

@@ -63,9 +63,9 @@ def grow(
     unit: float | None = None,
 ) -> Tree:
     """Grows a tree for one target per example of `coverage`: of means, or for a second-order step. `query` is the
-    root's: it holds for all examples. What is a gain at all is judged in the targets' `unit`, which is the largest of
-    them unless it is given: so the tree does not hang on how rewards are scaled."""
-    unit = largest(targets) if unit is None else unit
+    root's: it holds for all examples. What is a gain at all is judged in the targets' `unit`, which is their size
+    unless it is given: so the tree does not hang on how rewards are scaled."""
+    unit = size_of(targets) if unit is None else unit
 
     def node(query: Query, members: np.ndarray, known: Known, depth: int) -> Tree:
         values = targets[members]
@@ -101,9 +101,10 @@ def leaf(targets: np.ndarray, members: np.ndarray, newton: Newton | None) -> Lea
     return Leaf(max(-newton.clip, min(newton.clip, value)) if newton else value, len(members))
 
 
-def largest(values: np.ndarray) -> float:
-    """The largest absolute value, 0 of none: the unit of targets that come without one."""
-    return float(np.abs(values).max(initial=0.0))
+def size_of(values: np.ndarray) -> float:
+    """The mean absolute value of those that are not 0, the unit of what is made from them; 0 where there are none."""
+    found = np.abs(values[values != 0])
+    return float(found.sum()) / len(found) if len(found) else 0.0
 
 
 def is_pure(values: np.ndarray, limits: TreeLimits, unit: float) -> bool:
@@ -182,7 +183,7 @@ def best_split(answers: np.ndarray, values: np.ndarray, limits: TreeLimits, unit
     found = best_gain(splits.sums(values), values.sum(), n1, count, n1, float(count), limits.min_examples)
     if found is None:
         return None
-    squares, unit = _variance(values) * count, largest(values) if unit is None else unit
+    squares, unit = _variance(values) * count, size_of(values) if unit is None else unit
     return splits[found[0]] if is_significant(found[1], squares, count, limits.significance, unit) else None
 
 
@@ -201,7 +202,7 @@ def best_step(
     s1, h1 = splits.sums(values), splits.sums(curvatures)
     whole = float(curvatures.sum())
     found = best_gain(s1, values.sum(), splits.counts(), len(values), h1, whole, limits.min_examples, regularisation)
-    unit = largest(values) if unit is None else unit
+    unit = size_of(values) if unit is None else unit
     return splits[found[0]] if found and found[1] > 0 and found[1] >= _GAIN * unit else None
 
 
