@@ -78,6 +78,24 @@ def test_exact_evaluation_is_plain_enumeration(policy: Policy, greedy: bool, fac
     assert 0.01 < exact.success < 0.99
 
 
+@pytest.mark.parametrize("blocks", [3, 5])
+def test_what_is_certain_is_1_and_probabilities_are_probabilities(plain_bias, blocks: int) -> None:
+    """Though those of the actions hardly ever sum to 1; also with all the time in the world."""
+    domain = Domain("blocks_world", {"blocks": blocks})
+    refiner = Refiner(plain_bias)
+    policy = Policy(domain, plain_bias, root_table(domain, plain_bias, refiner))
+    judge = ExactEvaluator(policy)
+    assert judge.space.mean(np.ones(len(judge.space.sizes))) == 1.0
+    assert (judge.by_class(False, 3000.0)[0][judge.space.running] == 1.0).all()
+    assert judge.evaluate(False, 3000.0).success == 1.0
+    for seed in range(4):
+        policy.add(random_tree(refiner, 3, Random(seed)))
+        for greedy in (False, True):
+            success, _ = judge.by_class(greedy, 50.0)
+            assert success.min() == 0 and success.max() <= 1
+            assert 0 <= judge.evaluate(greedy, 50.0).success <= 1
+
+
 @pytest.mark.parametrize("greedy", [False, True])
 def test_samples_agree_with_the_exact_value(policy: Policy, greedy: bool) -> None:
     exact = evaluate_exactly(policy, greedy)

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nppg.learning.gradient import advantages, functional_gradient, returns, taken_gradient
+from nppg.learning.gradient import advantages, functional_gradient, returns, taken_gradient, total
 from nppg.policy.gibbs import gibbs
 
 potentials = st.lists(st.floats(-8, 8), min_size=1, max_size=8).map(np.array)
@@ -95,3 +95,10 @@ def test_the_ends_of_the_trace(drawn, last: float, discount: float) -> None:
     assert advantages(rewards, v, last, discount, 1.0).tolist() == pytest.approx(full.tolist(), abs=1e-9)
     one = np.array(rewards) + discount * np.array([*v[1:], last])[: len(v)] - v
     assert advantages(rewards, v, last, discount, 0.0).tolist() == pytest.approx(one.tolist(), abs=1e-9)
+
+
+@given(st.lists(st.integers(-(10**6), 10**6)), st.integers(0, 6))
+def test_totals_are_those_of_the_decimals(numbers: list[int], places: int) -> None:
+    """Rewards of cents that cancel are 0, and cents that make a whole are one."""
+    assert total(number / 10**places for number in numbers) == sum(numbers) / 10**places
+    assert total([*[-0.1] * 10, 1.0]) == 0.0 and total([0.1, 0.2, -0.3]) == 0.0 and total([]) == 0.0

@@ -35,7 +35,7 @@ def run(options: argparse.Namespace) -> int:
     if policy.domain.has_goal:
         end = "the goal is reached" if episode.success else "the goal is not reached"
     else:
-        end = f"the return is {sum(step.reward for step in episode.steps):g}"
+        end = f"the return is {episode.undiscounted:g}"
     print(f"{end} after {len(episode.steps)} steps")
     return 0
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from nppg.judging.evaluation import ExactEvaluator
+from nppg.learning.gradient import total
 from nppg.learning.options import Common
 from nppg.policy.policy import Policy
 from nppg.worlds.domain import Domain
@@ -66,7 +67,7 @@ class Progress:
     @property
     def recent(self) -> float:
         """Mean over the last episodes: the share that reached the goal, or the return."""
-        return sum(self.outcomes[-_RECENT:]) / max(len(self.outcomes[-_RECENT:]), 1)
+        return total(self.outcomes[-_RECENT:]) / max(len(self.outcomes[-_RECENT:]), 1)
 
 
 def sizes(policy: Policy) -> str:

@@ -106,7 +106,7 @@ def _advance(progress: Progress, iteration: Iteration, seconds: float) -> None:
     if progress.measure == "success":
         progress.outcomes += [episode.success for episode in iteration.recent]
     else:
-        progress.outcomes += [sum(step.reward for step in episode.steps) for episode in iteration.recent]
+        progress.outcomes += [episode.undiscounted for episode in iteration.recent]
 
 
 def _is_due(progress: Progress, iteration: Iteration, every: int) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +10,7 @@ import numpy as np
 from nppg.errors import NppgError
 from nppg.judging.space import Space
 from nppg.learning.episode import generate_episode, longest
+from nppg.learning.gradient import total
 from nppg.learning.options import at_least
 from nppg.policy.gibbs import best_of_groups, gibbs_of_groups
 from nppg.policy.policy import Policy
@@ -43,13 +43,13 @@ def evaluate(
     starts, seed = at_least("starts", starts, 1), at_least("seed", seed, 0)
     greedy = greedy or policy.greedy
     rng = np.random.default_rng([seed, 0x6E707067])
-    successes, steps, total = 0, 0, 0.0
+    successes, steps, found = 0, 0, []
     for _ in range(starts):
         episode = generate_episode(policy, rng, greedy=greedy, horizon_factor=horizon_factor)
         successes += episode.success
         steps += len(episode.steps)
-        total += sum(step.reward for step in episode.steps)
-    return Evaluation(successes / starts, starts, False, greedy, steps / starts, total / starts)
+        found.append(episode.undiscounted)
+    return Evaluation(successes / starts, starts, False, greedy, steps / starts, total(found) / starts)
 
 
 class ExactEvaluator:
@@ -109,18 +109,24 @@ class ExactEvaluator:
     def by_class(self, greedy: bool = False, horizon_factor: float = 1.0) -> tuple[np.ndarray, np.ndarray]:
         """The success probability and the expected number of steps from each class of the space, 0 where it is not a
         start. By backward induction: V_t(s), the probability to reach a goal state within t steps, and U_t(s), the
-        expected number of steps when at most t are taken."""
+        expected number of steps when at most t are taken. A V near 1 is 1 less the probability to miss the goal, so
+        that what is certain is 1; the sums of probabilities are but for rounding."""
         space = self.space
         flow = self.probabilities(greedy)[space.origin] * space.weight
         source = space.owner[space.origin]
         goal = np.array([float(status == "goal") for status in space.status])
         limits = self._limits(horizon_factor)
         value, length = goal, np.zeros(len(goal))
+        ended = 1.0 - goal - space.running
+        missed = 1.0 - goal
         success, steps = np.zeros(len(goal)), np.zeros(len(goal))
         for t in range(1, limits.max(initial=0) + 1):
-            value = goal + np.bincount(source, flow * value[space.target], len(goal))
+            value = np.minimum(goal + np.bincount(source, flow * value[space.target], len(goal)), 1.0)
+            missed = np.minimum(ended + np.bincount(source, flow * missed[space.target], len(goal)), 1.0)
             length = space.running + np.bincount(source, flow * length[space.target], len(goal))
-            success[limits == t], steps[limits == t] = value[limits == t], length[limits == t]
+            now = limits == t
+            success[now] = np.where(value[now] > 0.5, 1.0 - missed[now], value[now])
+            steps[now] = length[now]
         return success * space.running, steps * space.running
 
     def _limits(self, horizon_factor: float) -> np.ndarray:
@@ -163,9 +169,8 @@ class ExactEvaluator:
     def evaluate(self, greedy: bool = False, horizon_factor: float = 1.0) -> Evaluation:
         """The mean over all start states."""
         success, steps = self.by_class(greedy, horizon_factor)
-        share = np.array([size / self.space.starts for size in self.space.sizes])
-        greedy = self._is_greedy(greedy)
-        return Evaluation(math.fsum(share * success), self.space.starts, True, greedy, math.fsum(share * steps))
+        greedy, means = self._is_greedy(greedy), [self.space.mean(each) for each in (success, steps)]
+        return Evaluation(means[0], self.space.starts, True, greedy, means[1])
 
 
 def _drawn(cumulative: np.ndarray, first: np.ndarray, end: np.ndarray, rng: np.random.Generator) -> np.ndarray:

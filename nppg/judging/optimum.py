@@ -7,6 +7,7 @@ V_t(s) = max_a sum_s' P(s' | s, a) (r + discount V_{t-1}(s')), with the policy's
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -34,14 +35,13 @@ class ReturnEvaluator:
         self.discount = discount
         domain = space.domain
         rewards = [
-            sum(probability * domain.reward(successor, action) for probability, successor in outcomes)
+            math.fsum(probability * domain.reward(successor, action) for probability, successor in outcomes)
             for state, running in zip(space.states, space.running, strict=True)
             if running
             for action, outcomes in domain.neighbours(state)
         ]
         self._rewards = np.array(rewards, float)
         self._first = np.flatnonzero(np.diff(space.owner, prepend=-1))  # pair of each running class
-        self._shares = np.array([size / space.starts for size in space.sizes]) * space.running
         self._optimal: Returns | None = None
 
     def optimal(self) -> Returns:
@@ -58,7 +58,8 @@ class ReturnEvaluator:
         """The probability that the first action from a random start state is optimal: but for `tolerance` times the
         largest return of its state."""
         is_best = best_of_groups(self.optimal().pairs, self._first, tolerance)
-        return float(self._shares @ np.bincount(self.space.owner, probabilities * is_best, len(self._shares)))
+        agreeing = np.bincount(self.space.owner, probabilities * is_best, len(self.space.states))
+        return self.space.mean(np.minimum(agreeing, 1.0))
 
     def _returns(self, backup: Callable[[np.ndarray], np.ndarray]) -> Returns:
         space, owner = self.space, self.space.owner
@@ -71,4 +72,4 @@ class ReturnEvaluator:
             value[space.running] = backup(pairs)
             values[limits == t] = value[limits == t]
             kept[limits[owner] == t] = pairs[limits[owner] == t]
-        return Returns(values, kept, float(self._shares @ values))
+        return Returns(values, kept, space.mean(values))

@@ -7,6 +7,7 @@ of them is a renaming of this one. What the domain promises is held against draw
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Iterable
 from itertools import chain
@@ -185,6 +186,11 @@ class Space:
                     f"start/1 never draws a state with {trait}, which {states / self.starts:.0%} of the running states "
                     "that can be reached have"
                 )
+
+    def mean(self, values: np.ndarray) -> float:
+        """Over all start states, of values of the classes: 1 where all are 1."""
+        shares = np.array([size / self.starts for size in self.sizes]) * self.running
+        return math.fsum(shares * values) / math.fsum(shares)
 
     def draw(self, count: int, rng: np.random.Generator) -> np.ndarray:
         """The classes of `count` random start states."""

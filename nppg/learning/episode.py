@@ -11,6 +11,7 @@ from functools import lru_cache
 import numpy as np
 
 from nppg.errors import NppgError, Problem
+from nppg.learning.gradient import total
 from nppg.learning.options import Common
 from nppg.policy.policy import Policy, choose, choose_best
 from nppg.worlds.domain import Action, State, World
@@ -46,6 +47,11 @@ class Episode:
     open: Sequence[Action]
     success: bool
     actual: State
+
+    @property
+    def undiscounted(self) -> float:
+        """The sum of its rewards."""
+        return total(step.reward for step in self.steps)
 
     @property
     def guided(self) -> bool:

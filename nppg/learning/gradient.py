@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
 
 import numpy as np
+
+
+def total(numbers: Iterable[float]) -> float:
+    """The sum of finite numbers as they are written in decimals, rounded once: ten times -0.1 and 1 are 0, which
+    neither addition in binary nor math.fsum makes of them."""
+    return float(sum(map(Fraction, map(repr, map(float, numbers)))))
 
 
 def returns(rewards: Sequence[float], discount: float) -> np.ndarray:
