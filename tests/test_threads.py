@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 import pytest
@@ -14,19 +15,29 @@ import pytest
 from nppg import Domain, NppgError, Options, Policy, evaluate, generate_episode, language_bias_of, train
 from nppg.bridge.interrupts import interruptible
 from nppg.bridge.terms import texts
+from nppg.worlds.domain import State
 
-DOMAIN = Domain("blocks_world", {"blocks": 4})
-POLICY = Policy(DOMAIN, language_bias_of(DOMAIN))
-STATE = DOMAIN.start(np.random.default_rng(0))
+
+@cache
+def world() -> tuple[Domain, Policy, State]:
+    """Made when it is first asked for, in the thread of the tests."""
+    domain = Domain("blocks_world", {"blocks": 4})
+    return domain, Policy(domain, language_bias_of(domain)), domain.start(np.random.default_rng(0))
+
+
+def act(domain: Domain, _: Policy, state: State) -> object:
+    return domain.act(state, domain.situation(state).actions[0], np.random.default_rng(0))
+
+
 QUESTIONS: dict[str, Callable[[], object]] = {
     "load": lambda: Domain("delivery"),
-    "start": lambda: DOMAIN.start(np.random.default_rng(0)),
-    "situation": lambda: DOMAIN.situation(STATE),
-    "act": lambda: DOMAIN.act(STATE, DOMAIN.situation(STATE).actions[0], np.random.default_rng(0)),
+    "start": lambda: world()[0].start(np.random.default_rng(0)),
+    "situation": lambda: world()[0].situation(world()[2]),
+    "act": lambda: act(*world()),
     "texts": lambda: texts(["a"]),
-    "episode": lambda: generate_episode(POLICY, np.random.default_rng(0)),
-    "evaluate": lambda: evaluate(POLICY, 2),
-    "train": lambda: list(train(DOMAIN, POLICY.bias, Options(episodes=2))),
+    "episode": lambda: generate_episode(world()[1], np.random.default_rng(0)),
+    "evaluate": lambda: evaluate(world()[1], 2),
+    "train": lambda: list(train(world()[0], world()[1].bias, Options(episodes=2))),
 }
 
 
@@ -48,6 +59,7 @@ def elsewhere(question: Callable[[], object]) -> object:
 
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_another_thread_is_told_where_to_ask(name: str) -> None:
+    world()
     told = elsewhere(QUESTIONS[name])
     assert isinstance(told, NppgError)
     assert str(told) == (
@@ -59,7 +71,7 @@ def test_another_thread_is_told_where_to_ask(name: str) -> None:
 
 def test_threads_do_not_disturb_the_one_that_asks() -> None:
     def episodes() -> list:
-        return [generate_episode(POLICY, np.random.default_rng(seed)).last for seed in range(40)]
+        return [generate_episode(world()[1], np.random.default_rng(seed)).last for seed in range(40)]
 
     expected, stop, wrong = episodes(), threading.Event(), []
 
