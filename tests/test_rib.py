@@ -118,6 +118,14 @@ def test_what_is_stored_does_not_hang_on_the_unit_of_the_values(removal: str, k:
     assert contents(other) == {pair: unit * value for pair, value in contents(one).items()}
 
 
+def test_an_error_is_small_beside_all_that_was_met() -> None:
+    """Whatever is left in memory: the unit is the task's, not that of a place in it."""
+    instances = Instances(Points(3), RIBOptions())
+    for pair, value in ((0, 1.0), (0, 0.0), (1, 5e-7), (2, 2e-6)):
+        instances.update(pair, value)
+    assert contents(instances) == {0: 0.0, 2: 2e-6}
+
+
 def leave_one_out(points: Points, known: dict[int, float], power: float) -> dict[int, float]:
     return {
         each: abs(q - predicted(points, {other: known[other] for other in known if other != each}, each, power))

@@ -65,6 +65,23 @@ def test_the_tree_does_not_hang_on_the_unit_of_the_values(setting, k: int) -> No
     assert found[0] == found[1] and len(found[0]) > 1
 
 
+def test_a_gain_is_small_beside_all_that_was_met(setting) -> None:
+    """Differences of a billionth in a task whose values go up to 1 split no leaf, and those of a task of billionths
+    do."""
+    domain, bias, refiner, table = setting
+    examples = stream(domain, table, 60, 3)
+    grown = []
+    for first in (1.0, 1e-9):
+        learner = TG(root_table(domain, bias, refiner), refiner, TGOptions(min_sample=40, significance=1.0))
+        for i, each in enumerate(examples):
+            description = learner.table.answers(each.state, [each.action])[0]
+            learner.update([each._replace(description=description, value=1e-9 * each.value if i else first)])
+            if i == 0:  # what the leaf has seen of it is forgotten
+                learner.statistics[0] = learner._statistics(0, np.zeros(3))
+        grown.append(len(learner.tree))
+    assert grown[0] == 1 < grown[1]
+
+
 class PlainTG:
     """Keeps every example, and recomputes all from them."""
 

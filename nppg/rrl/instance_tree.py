@@ -116,11 +116,12 @@ class InstanceTree:
         coverage = Coverage(self.table, [state for *_, state, _ in held], [action for *_, action in held])
         answers, _ = coverage.matrix(candidates, np.arange(len(held)), {})
         limits = TreeLimits(min_examples=1, significance=growth.significance)
-        best = best_split(answers, np.array([value for _, value, *_ in held]), limits)
+        best = best_split(answers, np.array([value for _, value, *_ in held]), limits, leaf.instances.unit)
         if best is None:
             return
         self.tree.split(number, candidates[best.candidate])
         failed, passed = _Held(self.distance, self.options), _Held(self.distance, self.options)
+        failed.instances.unit = passed.instances.unit = leaf.instances.unit
         for each, holds in zip(held, best.covered(answers), strict=True):
             (passed if holds else failed).store(*each)
         self.leaves[number] = failed

@@ -18,7 +18,7 @@ import numpy as np
 
 from nppg.rrl.options import InstanceOptions
 
-_NEWS = 1e-6  # an error up to this share of the largest value is never worth an instance
+_NEWS = 1e-6  # an error up to this share of the largest value met is never worth an instance
 _FLAT = 4.0  # up to this power weights are kept in single precision; others differ too widely for its exponents
 _ROWS = 64  # of a square matrix that are worked on together, so that they stay in the processor's cache
 
@@ -37,6 +37,7 @@ class Instances:
         self.distance = distance
         self.options = options
         room = options.max_instances + 1  # one comes in before one goes
+        self.unit = 0.0  # the largest |value| met
         self._size = 0
         self._pairs = np.zeros(room, np.int64)
         self._values = np.zeros(room)
@@ -72,11 +73,12 @@ class Instances:
 
     def update(self, pair: int, value: float) -> None:
         """Learns from one example. The value of a class that is stored becomes that of the example."""
+        self.unit = max(self.unit, abs(value))
         distances = self.distance.rows(np.array([pair]), self._pairs[: self._size])
         same = np.flatnonzero(distances[0] == 0)
         if len(same):
             self._values[same] = value
-        elif self._is_news(value, abs(value - self._predicted(distances)[0]), distances[0]):
+        elif self._is_news(abs(value - self._predicted(distances)[0]), distances[0]):
             self._append(pair, value, distances[0])
             if self._size > self.options.max_instances:
                 self._remove(self._least())
@@ -85,14 +87,14 @@ class Instances:
         """Takes in an instance without asking whether it is news, as from a file. The class must be a new one."""
         if self._size == self.options.max_instances:
             raise ValueError(f"there is room for {self.options.max_instances} instances only")
+        self.unit = max(self.unit, abs(value))
         self._append(pair, value, self.distance.rows(np.array([pair]), self._pairs[: self._size])[0])
 
-    def _is_news(self, value: float, error: float, distances: np.ndarray) -> bool:
+    def _is_news(self, error: float, distances: np.ndarray) -> bool:
         """Whether an example is so badly predicted that it should be stored: its error is more than `global_deviation`
         times the standard deviation of all values and `local_deviation` times that of its nearest neighbours'."""
         options, values = self.options, self._values[: self._size]
-        large = float(np.abs(values).max(initial=abs(value)))
-        if error <= max(_NEWS * large, options.global_deviation * _deviation(values)):
+        if error <= max(_NEWS * self.unit, options.global_deviation * _deviation(values)):
             return False
         if self._size > options.neighbours:
             values = values[np.argpartition(distances, options.neighbours)[: options.neighbours]]

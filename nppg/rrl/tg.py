@@ -41,15 +41,14 @@ class Statistics:
         for outcome in (0, 1):
             self.by_test[outcome] += (powers[:, :, None] * (answers == outcome)).sum(axis=1)
 
-    def best_split(self, significance: float) -> int | None:
-        """The test that reduces the sum of squares most, if it passes the F-test."""
+    def best_split(self, significance: float, unit: float) -> int | None:
+        """The test that reduces the sum of squares most, if it passes the F-test; gains are judged in the unit of q."""
         if self.by_test.shape[2] == 0:
             return None
         count, total, squares = self.by_test[:, :, 0].sum(axis=0)
         n1, s1, _ = self.by_test[1]
         found = best_gain(s1, total, n1, count, n1, count, 1)
         around = squares - total**2 / count
-        unit = float(squares / count) ** 0.5
         return found[0] if found and is_significant(found[1], around, int(count), significance, unit) else None
 
 
@@ -61,6 +60,7 @@ class TG:
         self.tree = NumberedTree(table, refiner)
         self.options = options
         self.statistics = [self._statistics(0, np.zeros(3))]
+        self.unit = 0.0  # the largest |q| met
 
     def _statistics(self, leaf: int, whole: np.ndarray) -> Statistics:
         deep = self.tree.depths[leaf] >= self.options.max_depth
@@ -80,6 +80,7 @@ class TG:
         """Each leaf that saw an example splits at most once."""
         answers = np.stack([each.description for each in examples])
         values = np.array([each.value for each in examples])
+        self.unit = float(np.abs(values).max(initial=self.unit))
         coverage = Coverage(self.table, [each.state for each in examples], [each.action for each in examples], answers)
         leaves = self.tree.leaf_of(answers)
         for leaf in dict.fromkeys(leaves.tolist()):
@@ -92,7 +93,7 @@ class TG:
                 self._split(leaf, statistics)
 
     def _split(self, leaf: int, statistics: Statistics) -> None:
-        best = statistics.best_split(self.options.significance)
+        best = statistics.best_split(self.options.significance, self.unit)
         if best is not None:
             new = self.tree.split(leaf, self.tree.candidates(leaf)[best])
             failed, passed = statistics.by_test[:, :, best].copy()
