@@ -13,7 +13,7 @@ import gymnasium
 import torch
 from sb3_contrib import MaskablePPO
 
-import nppg.gym_env.domain_env  # noqa: F401  registers the environments
+import nppg.gym_env  # noqa: F401  registers the environments
 
 
 def success(model: MaskablePPO, env: gymnasium.Env, starts: int, greedy: bool) -> float:

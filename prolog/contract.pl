@@ -9,6 +9,7 @@
 
 :- use_module(library(lists), [member/2, memberchk/2]).
 :- use_module(library(prolog_codewalk), [prolog_walk_code/1]).
+:- use_module(guard, [tamed/2]).
 
 /** <module> The contract of a domain file
 
@@ -181,8 +182,9 @@ description(Module, _, predicates, Predicates) :-
               defined(Module, Name/Arity),
               \+ contract(Name/Arity),
               \+ memberchk(Name/Arity, [ nppg_fluent/1, nppg_uniform_start/0, nppg_interchangeable/1, nppg_environment/1,
-                                          parameter/2, halt/0, halt/1, setup_call_catcher_cleanup/4,
-                                          setup_call_cleanup/3, call_cleanup/2 ]) ),
+                                          parameter/2 ]),
+              functor(Head, Name, Arity),
+              \+ tamed(Head, _) ),
             Predicates0),
     sort(Predicates0, Predicates).
 description(Module, _, actions, Actions) :-

@@ -7,7 +7,8 @@
             set_inference_limit/1, % +Limit                  det
             stopped/1,           % -Fault                    semidet
             stop_for/1,          % +Fault                    det
-            tame/1               % +Module                   det
+            tame/1,              % +Module                   det
+            tamed/2              % ?Head, ?Body              nondet
           ]).
 
 :- use_module(library(lists), [member/2]).
@@ -126,6 +127,10 @@ tame(Module) :-
              forall(asks(Head, Goals), meta_predicate(Module:Goals)),
              assertz(Module:(Head :- Body)),
              compile_predicates([Module:Name/Arity]) )).
+
+%!  tamed(?Head, ?Body) is nondet.
+%
+%   The clauses that a tame module has of its own.
 
 tamed(halt, throw(nppg_halt)).
 tamed(halt(_), throw(nppg_halt)).

@@ -1,4 +1,4 @@
-"""Names, as Prolog reads and writes them."""
+"""Names, as Prolog reads and writes them, and numbers."""
 
 from __future__ import annotations
 
@@ -25,3 +25,13 @@ def written(constant: Constant) -> str:
 def atom(name: str, args: Sequence[object]) -> str:
     """The text `name(arg, ...)`."""
     return f"{name}({', '.join(map(str, args))})" if args else name
+
+
+def number(text: str) -> int | float | None:
+    """The number that a text is, None where it is none."""
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return None

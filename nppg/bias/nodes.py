@@ -12,7 +12,7 @@ from collections.abc import Collection, Sequence
 import yaml
 
 from nppg.bias.literals import Mistake, Parsed, parsed
-from nppg.bias.names import is_name
+from nppg.bias.names import is_name, number
 from nppg.errors import NppgError, Problem, suggestion
 
 
@@ -59,6 +59,7 @@ class Document:
         return start.line + 1, start.column + 1
 
     def report(self, node: yaml.Node, message: str, offset: int = 0) -> None:
+        """Notes a problem at a node, or at an offset in its text."""
         self.problems.add(Problem(self.file, *self.place(node, offset), message))
 
     def mapping(self, node: yaml.Node, what: str, known: Collection[str] = ()) -> dict[str, yaml.Node]:
@@ -82,6 +83,7 @@ class Document:
         return entries
 
     def items(self, node: yaml.Node, what: str) -> list[yaml.Node] | None:
+        """Those of a list; None where it is none, which is reported."""
         if isinstance(node, yaml.SequenceNode):
             pairs = [(each, each) for each in node.value]
             return [each for _, each in self._joined(pairs)] if node.flow_style else list(node.value)
@@ -115,6 +117,7 @@ class Document:
         return yaml.ScalarNode(first.tag, text, first.start_mark, last.end_mark)
 
     def text(self, node: yaml.Node, what: str) -> str | None:
+        """That of a scalar; None where there is none, or what no text has, which is reported."""
         if not isinstance(node, yaml.ScalarNode) or not node.value.strip():
             self.report(node, f"{what} is wanted, not {described(node)}")
             return None
@@ -126,6 +129,7 @@ class Document:
         return value
 
     def literal(self, node: yaml.Node, what: str) -> Parsed | None:
+        """None where a mistake has been reported."""
         text = self.text(node, what)
         if text is None:
             return None
@@ -136,6 +140,7 @@ class Document:
             return None
 
     def type_name(self, node: yaml.Node) -> str | None:
+        """None where a mistake has been reported."""
         text = self.text(node, "a type")
         if text is not None and not is_name(text):
             self.report(node, f"a type is a lower-case name, not {text!r}")
@@ -163,12 +168,3 @@ def described(node: yaml.Node) -> str:
     if isinstance(node, yaml.ScalarNode):
         return repr(node.value) if node.value else "nothing"
     return "a list" if isinstance(node, yaml.SequenceNode) else "a mapping"
-
-
-def number(text: str) -> int | float | None:
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            pass
-    return None

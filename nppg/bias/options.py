@@ -5,7 +5,8 @@ from __future__ import annotations
 import yaml
 
 from nppg.bias.declarations import OptionPlaces
-from nppg.bias.nodes import Document, number
+from nppg.bias.names import number
+from nppg.bias.nodes import Document
 from nppg.logic.query import Constant
 
 

@@ -9,7 +9,8 @@ import yaml
 
 from nppg.bias.declarations import Declared, TreeLimits
 from nppg.bias.modes import modes
-from nppg.bias.nodes import Document, described, number
+from nppg.bias.names import number
+from nppg.bias.nodes import Document, described
 from nppg.bias.options import options
 from nppg.bias.sentences import sentences
 from nppg.bias.signatures import Signatures

@@ -69,12 +69,7 @@ def texts(terms: Sequence[Ground]) -> list[str]:
 
 def compounds(data: list) -> list[Ground]:
     """Ground terms as they cross, the compound ones as Compound."""
-    flat = [Compound(each) if isinstance(each, list) else each for each in data]
-    try:
-        hash(tuple(flat))  # fails where a list is left further down, which is rare
-        return flat
-    except TypeError:
-        return [Compound(each) if isinstance(each, tuple) else each for each in ground(data)]
+    return [Compound(each) if isinstance(each, tuple) else each for each in ground(data)]
 
 
 def ground(data: Any) -> Any:

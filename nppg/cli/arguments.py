@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NoReturn
 
+from nppg.bias.names import number
 from nppg.errors import NppgError, suggestion
 
 
@@ -58,17 +59,9 @@ def parameters(settings: Sequence[str]) -> dict[str, int | float | str]:
         name, equals, text = setting.partition("=")
         if not (name and equals and text):
             raise NppgError(f"--set takes NAME=VALUE, not '{setting}'")
-        found[name] = _value(text)
+        value = number(text)
+        found[name] = text if value is None else value
     return found
-
-
-def _value(text: str) -> int | float | str:
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            pass
-    return text
 
 
 @contextmanager

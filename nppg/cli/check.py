@@ -12,10 +12,12 @@ from nppg.experiments.learners import option_problems
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The domain and its language bias."""
     add_domain(parser)
 
 
 def run(options: argparse.Namespace) -> int:
+    """Prints a summary, or raises NppgError with every mistake."""
     problems, summary = check(
         lambda: loading.domain(options), lambda domain: loading.bias(options, domain), option_problems
     )

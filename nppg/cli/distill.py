@@ -14,6 +14,7 @@ from nppg.rules.explain import explained, sentences
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The model, and how few rules."""
     add_model(parser)
     add_explain(parser)
     parser.add_argument("--max-rules", type=int, default=10, metavar="N", help="(default: 10)")
@@ -24,6 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
+    """Prints and writes the rules with their success. Raises NppgError."""
     at_least("max-rules", options.max_rules, 1)
     policy = loading.policy(options)
     bias = loading.bias_of(policy, options)

@@ -13,6 +13,7 @@ from nppg.learning.options import Options
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The model, and over which start states."""
     add_model(parser)
     add_parameters(parser)
     how = parser.add_mutually_exclusive_group()
@@ -27,6 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
+    """Prints the success, or the return where there is no goal. Raises NppgError."""
     policy = loading.policy(options)
     given = options.horizon_factor
     factor = Options(horizon_factor=policy.option("horizon_factor", 1.0) if given is None else given).horizon_factor

@@ -10,10 +10,12 @@ from nppg.errors import NppgError, Problem
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The name."""
     parser.add_argument("name", help="of the domain, and of the files")
 
 
 def run(options: argparse.Namespace) -> int:
+    """Writes both files and says what comes next. Raises NppgError."""
     name = options.name
     if not (name.isidentifier() and name[0].islower()):
         raise NppgError(f"'{name}' cannot be a domain's name: write a lower-case letter, then letters, digits or _")

@@ -15,12 +15,14 @@ from nppg.worlds.domain import State
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The model, and the seed."""
     add_model(parser)
     add_parameters(parser)
     parser.add_argument("--seed", type=int, default=0, help="of the episode (default: 0)")
 
 
 def run(options: argparse.Namespace) -> int:
+    """Draws each state with the actions. Raises NppgError."""
     at_least("seed", options.seed, 0)
     policy = loading.policy(options)
     episode = generate_episode(policy, np.random.default_rng(options.seed))

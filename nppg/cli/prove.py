@@ -11,6 +11,7 @@ from nppg.rules.proof import check_certificate, prove
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The model, and the certificate."""
     add_model(parser)
     add_parameters(parser)
     parser.add_argument("--stochastic", action="store_true", help="about the stochastic policy, not the greedy one")
@@ -25,6 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
+    """Prints the verdict and the failing classes. Raises NppgError."""
     policy = loading.policy(options, tell=False)  # what would be told is refused
     proof = prove(policy, options.model, greedy=not options.stochastic)
     if options.check:

@@ -14,6 +14,7 @@ from nppg.learning.options import at_least
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The experiment, and how much of it."""
     parser.add_argument("experiment", choices=EXPERIMENTS)
     parser.add_argument("--runs", type=int, help="runs of each variant, seeds from 0 (default: as in the paper)")
     parser.add_argument("--episodes", type=int, help="of each run (default: as in the paper)")
@@ -28,6 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
+    """Prints a line a run, then the files. Raises NppgError."""
     experiment = EXPERIMENTS[options.experiment]
     processes = available_cores() if options.jobs is None else options.jobs
     runs = experiment.runs if options.runs is None else options.runs

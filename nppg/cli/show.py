@@ -12,6 +12,7 @@ from nppg.rules.explain import explained
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The model, and which trees."""
     add_model(parser)
     parser.add_argument("--tree", type=int, metavar="N", help="this tree alone, from 1")
     add_explain(parser)
@@ -20,6 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
+    """Prints the trees as rules or as graphs. Raises NppgError."""
     if options.explain and options.format == "dot":
         raise NppgError("--explain is about rules, which --format dot does not show")
     policy = loading.policy(options)

@@ -18,6 +18,7 @@ from nppg.learning.options import at_least
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """In groups, the options of the learners among them."""
     parser.usage = "nppg train DOMAIN [--option VALUE ...]"
     parser.epilog = "What is left out has the value that the language bias's options give it, else its default."
     learned = parser.add_argument_group("what to learn")
@@ -48,6 +49,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
+    """Learns, prints the curve's points and writes the files. Raises NppgError."""
     at_least("evaluate-every", options.evaluate_every, 0)
     at_least("starts", options.starts, 1)
     domain = loading.domain(options)

@@ -44,9 +44,8 @@ class Lengths:
         succeeded = evaluator.sample(drawn, np.random.default_rng([progress.options.seed, point.episode]))
         success, _ = evaluator.by_class()
         lengths = np.array(space.horizons)
-        weights = np.array([size / space.starts for size in space.sizes]) * space.running
         for length in np.unique(lengths[space.running]).tolist():
-            among = weights * (lengths == length)
+            among = space.shares * (lengths == length)
             here = lengths[drawn] == length
             share = float(among.sum())
             yield {

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterable
+from functools import cached_property
 from itertools import chain
 
 import numpy as np
@@ -187,15 +188,18 @@ class Space:
                     "that can be reached have"
                 )
 
+    @cached_property
+    def shares(self) -> np.ndarray:
+        """Of each class among all start states."""
+        return np.array([size / self.starts for size in self.sizes]) * self.running
+
     def mean(self, values: np.ndarray) -> float:
         """Over all start states, of values of the classes: 1 where all are 1."""
-        shares = np.array([size / self.starts for size in self.sizes]) * self.running
-        return math.fsum(shares * values) / math.fsum(shares)
+        return math.fsum(self.shares * values) / math.fsum(self.shares)
 
     def draw(self, count: int, rng: np.random.Generator) -> np.ndarray:
         """The classes of `count` random start states."""
-        shares = np.array([size / self.starts for size in self.sizes]) * self.running
-        return rng.choice(len(shares), count, p=shares / shares.sum())
+        return rng.choice(len(self.shares), count, p=self.shares / self.shares.sum())
 
     def lengths(self) -> dict[int, int]:
         """How many starts have each horizon."""

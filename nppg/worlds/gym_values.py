@@ -29,6 +29,7 @@ def number(what: str, value: Any) -> float:
 
 
 def whole(what: str, value: Any) -> int:
+    """A float that is one counts as such."""
     if type(value) is int:
         return value
     try:
