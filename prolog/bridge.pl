@@ -12,9 +12,9 @@
 :- use_module(model).
 :- use_module(potential).
 :- use_module(query_pack).
-:- use_module(randomness, [without_draws/1]).
 :- use_module(report, [problems/2]).
 :- use_module(state_text).
+:- use_module(states).
 :- use_module(table).
 :- use_module(terms).
 
@@ -71,23 +71,11 @@ version(Version) :-
     current_prolog_flag(version_data, swi(Major, Minor, Patch, _)),
     atomic_list_concat([Major, Minor, Patch], '.', Version).
 
-%!  draw(+Module, -Facts) is det: a random start state, which becomes the current one.
+%!  state_of(+Module, +Text, +Fluents, -Answer) is det: the static facts that a text lists, and the others; see state_text.pl.
 
-draw(Module, Data) :-
-    start(Module, Facts),
-    encode_all(Facts, Data).
-
-%!  visit(+Module, +Data, -True) is det: makes a state current.
-
-visit(Module, Data, true) :-
-    decode_all(Data, Facts0),
-    sort(Facts0, Facts),
-    interpret(Module, Facts).
-
-%!  state_of(+Module, +Text, +Fluents, -Data) is det: the facts that a text lists; see state_text.pl.
-
-state_of(Module, Text, Fluents, Data) :-
-    read_state(Module, Text, Fluents, Facts),
+state_of(Module, Text, Fluents, [StaticData, Data]) :-
+    read_state(Module, Text, Fluents, Static, Facts),
+    encode_all(Static, StaticData),
     encode_all(Facts, Data).
 
 drawing(Module, Lines) :-
@@ -106,12 +94,6 @@ binding_of(Module, Name, Arity, Data) :-
     binding(Module, Name, Arity, Values),
     maplist(encode, Values, Data).
 
-%!  observed(+Module, -Data) is det: the facts that are seen of the current state.
-
-observed(Module, Data) :-
-    observation(Module, Facts),
-    encode_all(Facts, Data).
-
 %!  intact(+Module, -Truth) is det: whether the fluents are what the state says, and domain code left them alone.
 
 intact(Module, Truth) :-
@@ -128,107 +110,9 @@ texts(Data, Texts) :-
             ( member(Term, Terms), format(atom(Text), '~W', [Term, [quoted(true), ignore_ops(true), spacing(next_argument)]]) ),
             Texts).
 
-horizon_of(Module, Steps) :-
-    horizon(Module, Steps).
-
-%!  situation(+Module, -Situation) is det: [Status, Actions] of the current state.
-
-situation(Module, [Status, Data]) :-
-    status(Module, Status),
-    (   Status == running
-    ->  actions(Module, Actions),
-        (   Actions == []
-        ->  fault(Module:(action/1), 'gave no legal action, though the state is neither goal nor terminal,'-[])
-        ;   true
-        ),
-        encode_all(Actions, Data)
-    ;   Data = []
-    ).
-
-expert_actions(Module, Data) :-
-    experts(Module, Actions),
-    encode_all(Actions, Data).
-
-%!  neighbours(+Module, -Answer) is det.
-%
-%   [Current, Neighbours]: the facts of the current state, and a list of [Action, Outcomes] for all legal actions, also
-%   in a goal or terminal state. An outcome is [Probability, Facts], where a fact of the current state is given as its
-%   number there, from 0.
-
-neighbours(Module, [Data, Neighbours]) :-
-    actions(Module, Actions),
-    interpretation(Module, Current),
-    encode_all(Current, Data),
-    findall([Encoded, Outcomes],
-            ( member(Action, Actions), encode(Action, Encoded), encoded_outcomes(Module, Action, Current, Outcomes) ),
-            Neighbours).
-
-encoded_outcomes(Module, Action, Current, Data) :-
-    outcomes(Module, Action, Outcomes),
-    findall([Probability, Facts],
-            ( member(Probability-Terms, Outcomes), encode_change(Terms, Current, 0, Facts) ),
-            Data).
-
-%   Both lists of facts are sorted.
-
-encode_change([], _, _, []).
-encode_change([Fact|Facts], Current, Number, [Data|Rest]) :-
-    (   Current = [Old|More]
-    ->  compare(Order, Fact, Old),
-        encode_change(Order, Fact, Facts, Current, More, Number, Data, Rest)
-    ;   encode(Fact, Data),
-        encode_change(Facts, [], Number, Rest)
-    ).
-
-encode_change(=, _, Facts, _, More, Number, Number, Rest) :-
-    Next is Number+1,
-    encode_change(Facts, More, Next, Rest).
-encode_change(<, Fact, Facts, Current, _, Number, Data, Rest) :-
-    encode(Fact, Data),
-    encode_change(Facts, Current, Number, Rest).
-encode_change(>, Fact, Facts, _, More, Number, Data, Rest) :-
-    Next is Number+1,
-    encode_change([Fact|Facts], More, Next, [Data|Rest]).
-
 members(Module, Predicate, Data) :-
     objects(Module, Predicate, Objects),
     encode_all(Objects, Data).
-
-%!  act(+Module, +Action, -Answer) is det.
-%
-%   Takes an action in the current state: [Reward, Facts, Situation] for the state that it leads to. Situation is []
-%   where asking for it goes wrong, which is to be heard only by who does ask.
-
-act(Module, ActionData, [Reward, Data, Situation]) :-
-    decode(ActionData, Action),
-    outcomes(Module, Action, Outcomes),
-    chosen(Outcomes, Facts),
-    interpret(Module, Facts),
-    reward(Module, Action, Reward),
-    encode_all(Facts, Data),
-    (   catch(without_draws(situation(Module, Found)), nppg_fault(_, _), fail)
-    ->  Situation = Found
-    ;   Situation = []
-    ).
-
-%!  reward_of(+Module, +Action, -Reward) is det: for an action that has just led to the current state.
-
-reward_of(Module, ActionData, Reward) :-
-    decode(ActionData, Action),
-    reward(Module, Action, Reward).
-
-chosen([_-Facts], Facts) :-
-    !.
-chosen(Outcomes, Facts) :-
-    nppg_randomness:random(Float),
-    pick(Outcomes, Float, Facts).
-
-pick([Probability-Facts|Outcomes], Float, Chosen) :-
-    (   ( Outcomes == [] ; Float < Probability )
-    ->  Chosen = Facts
-    ;   Rest is Float-Probability,
-        pick(Outcomes, Rest, Chosen)
-    ).
 
 table(Module, Kinds, Goal, Table) :-
     new_table(Module, Kinds, Goal, Table).
@@ -245,10 +129,13 @@ answers(Table, Data, [Kinds, Words]) :-
     rows(Table, Actions, Kinds, Words).
 
 examples(Table, StateData, ExampleData, true) :-
-    maplist(decode_all, StateData, States0),
-    maplist(sort, States0, States),
+    maplist(decode_state, StateData, States),
     findall([State, Action], ( member([State, Encoded], ExampleData), decode(Encoded, Action) ), Examples),
     load_examples(Table, States, Examples).
+
+decode_state([Static, Data], Static-Facts) :-
+    decode_all(Data, Facts0),
+    sort(Facts0, Facts).
 
 cover(Table, Packs, Examples, Words) :-
     coverage(Table, Packs, Examples, Words).

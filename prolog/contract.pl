@@ -17,12 +17,14 @@ A domain file is a module that declares its fluents and parameters and defines t
 of them has a state argument: they see the facts of the current state. docs/domains.md is the reference.
 
 | start(-Facts)                     | a random start state                                     |
+| problem(?Number, -Facts)          | start states by number; without start/1, start states are drawn from these |
 | action(-Action)                   | the legal actions, by backtracking                       |
 | effect(+Action, -Delete, -Add)    | what an action changes                                   |
 | effect(+Action, -P, -Delete, -Add)| outcomes by backtracking, with probabilities that sum to 1 |
 | goal                              | true in a state that ends the episode with success       |
 | terminal                          | true in a state that ends the episode without success    |
 | reward(+Action, -R)               | for the action that led to the current state; default: 1 in a goal state, else 0 |
+| cost(+Action, -Cost)              | what an action costs in the current state; default: 1 |
 | horizon(-N)                       | in a start state: the length after which an episode ends; default 100 |
 | expert(-Action)                   | the actions that an expert would take, by backtracking   |
 | observation(-Facts)               | what is seen in place of the current state's facts, at random if it likes; default: these |
@@ -35,12 +37,14 @@ that the environment is made with, whether the file declares them or not.
 */
 
 contract(start/1).
+contract(problem/2).
 contract(action/1).
 contract(effect/3).
 contract(effect/4).
 contract(goal/0).
 contract(terminal/0).
 contract(reward/2).
+contract(cost/2).
 contract(horizon/1).
 contract(expert/1).
 contract(observation/1).
@@ -50,11 +54,13 @@ contract(parts/1).
 %   Those that an environment of Gymnasium stands for.
 
 dynamics(start/1).
+dynamics(problem/2).
 dynamics(effect/3).
 dynamics(effect/4).
 dynamics(goal/0).
 dynamics(terminal/0).
 dynamics(reward/2).
+dynamics(cost/2).
 dynamics(horizon/1).
 dynamics(observation/1).
 
@@ -73,6 +79,9 @@ environment(Module, Id) :-
 fluent(Module, Indicator) :-
     declared(Module, nppg_fluent(Indicator)).
 
+static(Module, Indicator) :-
+    declared(Module, nppg_static(Indicator)).
+
 parameter(Module, Name, Value) :-
     declared(Module, parameter(Name, Value)).
 
@@ -85,6 +94,7 @@ mistake(Module, File, _, -(File, 1, 0, Message)) :-
                           action/1 - 'action/1 is missing: action(-Action) gives the legal actions' ]),
     \+ defined(Module, Needed),
     \+ ( environment(Module, _), dynamics(Needed) ),
+    \+ ( Needed == start/1, ( defined(Module, problem/2) ; declared(Module, nppg_pddl(_)) ) ),
     Message = Text.
 mistake(Module, File, _, -(File, 1, 0, 'effect/3 is missing: effect(+Action, -Delete, -Add) says what an action changes')) :-
     \+ environment(Module, _),
@@ -174,6 +184,17 @@ note_missing(Callee, _, Location) :-
 description(_, Name, name, Name).
 description(Module, _, fluents, Fluents) :-
     findall([Name, Arity], fluent(Module, Name/Arity), Fluents).
+description(Module, _, (static), Static) :-
+    findall([Name, Arity], static(Module, Name/Arity), Static).
+description(Module, _, pddl, File) :-
+    (   declared(Module, nppg_pddl(Found))
+    ->  File = Found
+    ;   File = ''
+    ).
+description(Module, _, start, Start) :-
+    truth(( defined(Module, start/1) ; environment(Module, _) ), Start).
+description(Module, _, problems, Problems) :-
+    truth(defined(Module, problem/2), Problems).
 description(Module, _, parameters, Parameters) :-
     findall([Key, Value], parameter(Module, Key, Value), Parameters).
 description(Module, _, predicates, Predicates) :-
@@ -181,8 +202,8 @@ description(Module, _, predicates, Predicates) :-
             ( current_predicate(Module:Name/Arity),
               defined(Module, Name/Arity),
               \+ contract(Name/Arity),
-              \+ memberchk(Name/Arity, [ nppg_fluent/1, nppg_uniform_start/0, nppg_interchangeable/1, nppg_environment/1,
-                                          parameter/2 ]),
+              \+ memberchk(Name/Arity, [ nppg_fluent/1, nppg_static/1, nppg_uniform_start/0, nppg_interchangeable/1,
+                                          nppg_environment/1, nppg_dead_ends/0, nppg_pddl/1, parameter/2 ]),
               functor(Head, Name, Arity),
               \+ tamed(Head, _) ),
             Predicates0),

@@ -11,12 +11,13 @@
 
 /** <module> The declarations of a domain file
 
-While a domain file is being read, its declarations become clauses: those of nppg_fluent/1, nppg_interchangeable/1,
-nppg_environment/1 and parameter/2 and the fact nppg_uniform_start, in the file's module. Mistakes in them, and
+While a domain file is being read, its declarations become clauses: those of nppg_fluent/1, nppg_static/1,
+nppg_interchangeable/1, nppg_environment/1, nppg_pddl/1 and parameter/2 and the facts nppg_uniform_start and
+nppg_dead_ends, in the file's module. Mistakes in them, and
 what Prolog has to say of the file, are noted with their places.
 */
 
-:- op(1150, fx, user:[fluent, interchangeable]).
+:- op(1150, fx, user:[fluent, static, interchangeable]).
 :- thread_local loading/3, setting/2, noted/1.
 
 %!  reading(+Module, +Name, +File, +Parameters, :Goal, -Problems) is det.
@@ -56,7 +57,7 @@ expansion((:- Declaration), Module, Name, Expansion) :-
     nonvar(Declaration),
     (   Declaration = module(Name, Exports)
     ->  Expansion = [(:- module(Module, Exports)), (:- nppg_guard:tame(Module)),
-                     (:- discontiguous([nppg_fluent/1, nppg_interchangeable/1, nppg_environment/1, parameter/2]))]
+                     (:- discontiguous([nppg_fluent/1, nppg_static/1, nppg_interchangeable/1, nppg_environment/1, parameter/2]))]
     ;   declaration(Declaration, Module, Expansion)
     ).
 expansion(Clause, Module, _, []) :-
@@ -69,6 +70,8 @@ expansion(Clause, Module, _, []) :-
     functor(Head, Name, Arity),
     (   declared(Module, nppg_fluent(Name/Arity))
     ->  wrong('~q is a fluent: its facts come from start/1 and the effects, not from the file'-[Name/Arity])
+    ;   declared(Module, nppg_static(Name/Arity))
+    ->  wrong('~q is static: its facts come from start/1 or problem/2; leave out the declaration where they stand in the file'-[Name/Arity])
     ;   built_in(Name/Arity)
     ->  wrong('~q is built into Prolog and cannot be defined anew: choose another name'-[Name/Arity])
     ).
@@ -87,9 +90,17 @@ plain_arithmetic(Goal) :-
     memberchk(Name, [is, =:=, =\=, <, >, =<, >=]),
     \+ catch(arithmetic:evaluable(_, Module), _, fail).
 
-declaration(fluent(Specs), _, Clauses) :-
-    findall(Spec, specified(Specs, Spec), All),
-    findall(Clause, ( member(Spec, All), fluent_clause(Spec, Clause) ), Clauses).
+declaration(fluent(Specs), Module, Clauses) :-
+    facts_declared(Specs, (fluent), Module, Clauses).
+declaration(static(Specs), Module, Clauses) :-
+    facts_declared(Specs, (static), Module, Clauses).
+declaration(dead_ends, _, [nppg_dead_ends]).
+declaration(pddl(File), _, Clauses) :-
+    (   atom(File)
+    ->  Clauses = [nppg_pddl(File)]
+    ;   wrong('the PDDL file that a domain comes from is declared by its name: :- pddl(\'ferry.pddl\')'-[]),
+        Clauses = []
+    ).
 declaration(parameter(Parameter, Default), Module, Clauses) :-
     (   \+ ( atom(Parameter), kind(Default, _) )
     ->  declaration(parameter(_), Module, Clauses)
@@ -129,18 +140,36 @@ specified(Specs, Spec) :-
         Spec = Specs
     ).
 
-fluent_clause(Spec, Clause) :-
+%   Kind is fluent or static.
+
+facts_declared(Specs, Kind, Module, Clauses) :-
+    findall(Spec, specified(Specs, Spec), All),
+    atom_concat(nppg_, Kind, Name),
+    findall(Clause,
+            ( member(Spec, All), may_hold(Spec, Kind, Module), Fact =.. [Name, Spec],
+              member(Clause, [(:- dynamic(Spec)), Fact]) ),
+            Clauses).
+
+may_hold(Spec, Kind, Module) :-
     (   \+ ( nonvar(Spec), Spec = Name/Arity, atom(Name), integer(Arity), Arity >= 0 )
-    ->  wrong('a fluent is declared by its name and the number of its arguments: :- fluent on/2'-[]),
+    ->  kind_shown(Kind, What, Example),
+        wrong('~w is declared by its name and the number of its arguments: :- ~w'-[What, Example]),
         fail
     ;   contract(Spec)
-    ->  wrong('~q is a predicate of the contract and can be no fluent'-[Spec]),
+    ->  wrong('~q is a predicate of the contract and can be no ~w'-[Spec, Kind]),
         fail
     ;   built_in(Spec)
-    ->  wrong('~q is built into Prolog and can be no fluent: choose another name'-[Spec]),
+    ->  wrong('~q is built into Prolog and can be no ~w: choose another name'-[Spec, Kind]),
         fail
-    ;   member(Clause, [(:- dynamic(Spec)), nppg_fluent(Spec)])
+    ;   ( Kind == (static), Other = nppg_fluent(Spec) ; Kind == (fluent), Other = nppg_static(Spec) ),
+        declared(Module, Other)
+    ->  wrong('~q cannot be both a fluent and static'-[Spec]),
+        fail
+    ;   true
     ).
+
+kind_shown((fluent), 'a fluent', 'fluent on/2').
+kind_shown((static), 'a static predicate', 'static road/2').
 
 %   A parameter's value is of the kind of its default; an integer does for a float.
 

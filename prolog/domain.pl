@@ -1,5 +1,8 @@
 :- module(nppg_domain,
           [ start/2,             % +Module, -Facts               det
+            problem/3,           % +Module, +Number, -Facts      semidet
+            numbered/2,          % +Module, -Numbers             det
+            cost/3,              % +Module, +Action, -Cost       det
             status/2,            % +Module, -Status              det
             actions/2,           % +Module, -Actions             det
             experts/2,           % +Module, -Actions             det
@@ -8,14 +11,14 @@
             parts/2,             % +Module, -Parts               det
             horizon/2,           % +Module, -Steps               det
             outcomes/3,          % +Module, +Action, -Outcomes   det
-            reward/3,            % +Module, +Action, -Reward     det
+            reward/4,            % +Module, +Action, +Status, -Reward  det
             objects/3,           % +Module, +Predicate, -Objects  det
             binding/4            % +Module, +Name, +Arity, -Values  det
           ]).
 
 :- use_module(library(apply), [foldl/4]).
 :- use_module(library(lists), [member/2]).
-:- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
+:- use_module(library(ordsets), [ord_subtract/3]).
 :- use_module(contract, [environment/2]).
 :- use_module(guard).
 :- use_module(interpretation).
@@ -38,9 +41,44 @@ start(Module, Facts) :-
     ->  true
     ;   fault(Module:(start/1), 'failed'-[])
     ),
-    must_be_facts(Module, start/1, Drawn),
-    sort(Drawn, Facts),
+    begin(Module, start/1, Drawn, Facts).
+
+%   Static facts that are in force already stay.
+
+begin(Module, Source, Given, Facts) :-
+    must_be_facts(Module, Source, Given, Static0),
+    sort(Static0, Static),
+    sort(Given, All),
+    ord_subtract(All, Static, Facts),
+    in_force(Module, Old),
+    (   ( Old == 0, Static == [] ; static_facts(Module, Old, Static) )
+    ->  true
+    ;   new_static(Module, Static, Number),
+        enforce(Module, Number)
+    ),
     interpret(Module, Facts).
+
+%!  problem(+Module, +Number, -Facts) is semidet.
+%
+%   Makes the start state of that number current. Fails where the domain has none.
+
+problem(Module, Number, Facts) :-
+    guarded(Module:(problem/2), Module:problem(Number, Given)),
+    begin(Module, problem/2, Given, Facts).
+
+%!  numbered(+Module, -Numbers) is det.
+%
+%   The numbers of its problems, sorted.
+
+numbered(Module, Numbers) :-
+    guarded_findall(Number, Module:(problem/2), Module:problem(Number, _), Found),
+    sort(Found, Numbers),
+    (   Numbers == []
+    ->  fault(Module:(problem/2), 'has no problem'-[])
+    ;   member(Number, Numbers), \+ ( integer(Number), Number > 0 )
+    ->  fault(Module:(problem/2), 'numbers a problem by ~w, not by a whole number from 1'-[Number])
+    ;   true
+    ).
 
 %!  status(+Module, -Status) is det.
 %
@@ -123,12 +161,11 @@ horizon(Module, Steps) :-
 
 %!  outcomes(+Module, +Action, -Outcomes) is det.
 %
-%   Outcomes is a list of Probability-Facts, the states that the action may lead to. The current state
-%   stays current.
+%   Outcomes is a list of Probability-change(Gone, New): the facts that hold no longer in a state that the action may
+%   lead to, and those that do not hold yet. The current state stays current.
 
 outcomes(Module, Action, Outcomes) :-
-    interpretation(Module, Facts),
-    findall(Outcome, outcome(Module, Action, Facts, Outcome), Outcomes),
+    findall(Outcome, outcome(Module, Action, Outcome), Outcomes),
     (   Outcomes == []
     ->  fault(Module:(action/1), 'allows ~w, which no effect covers,'-[Action])
     ;   Outcomes = [1-_]
@@ -144,7 +181,7 @@ outcomes(Module, Action, Outcomes) :-
 add_probability(Probability-_, Sum0, Sum) :-
     Sum is Sum0 + Probability.
 
-outcome(Module, Action, Facts, Probability-Successor) :-
+outcome(Module, Action, Probability-change(Gone, New)) :-
     (   defines(Module, effect/3),
         Source = effect/3,
         Probability = 1,
@@ -161,16 +198,13 @@ outcome(Module, Action, Facts, Probability-Successor) :-
     ),
     must_be_facts(Module, Source, Delete),
     must_be_facts(Module, Source, Add),
-    sort(Delete, Gone),
-    sort(Add, New),
-    ord_subtract(Facts, Gone, Kept),
-    ord_union(Kept, New, Successor).
+    effective(Module, Delete, Add, Gone, New).
 
-%!  reward(+Module, +Action, -Reward) is det.
+%!  reward(+Module, +Action, +Status, -Reward) is det.
 %
-%   The reward for Action, which has just led to the current state.
+%   The reward for Action, which has just led to the current state, and to its status.
 
-reward(Module, Action, Reward) :-
+reward(Module, Action, Status, Reward) :-
     (   defines(Module, reward/2)
     ->  (   guarded(Module:(reward/2), Module:reward(Action, Given))
         ->  (   finite(Given)
@@ -179,9 +213,24 @@ reward(Module, Action, Reward) :-
             )
         ;   fault(Module:(reward/2), 'failed for the action ~w'-[Action])
         )
-    ;   status(Module, goal)
+    ;   Status == goal
     ->  Reward = 1
     ;   Reward = 0
+    ).
+
+%!  cost(+Module, +Action, -Cost) is det.
+%
+%   What Action costs in the current state.
+
+cost(Module, Action, Cost) :-
+    (   \+ defines(Module, cost/2)
+    ->  Cost = 1
+    ;   guarded(Module:(cost/2), Module:cost(Action, Given))
+    ->  (   finite(Given), Given >= 0
+        ->  Cost = Given
+        ;   fault(Module:(cost/2), 'gave ~w where a finite number from 0 is wanted, for the action ~w'-[Given, Action])
+        )
+    ;   fault(Module:(cost/2), 'failed for the action ~w'-[Action])
     ).
 
 %!  objects(+Module, +Predicate, -Objects) is det.

@@ -1,9 +1,12 @@
 % Lets plain Prolog load the domain: what its declarations mean.
-:- op(1150, fx, user:[fluent, interchangeable]).
+:- op(1150, fx, user:[fluent, static, interchangeable]).
 :- multifile user:term_expansion/2.
 :- dynamic user:term_expansion/2.
 :- dynamic delta/3.
 user:term_expansion((:- fluent(Specs)), [(:- dynamic(Specs)), (:- discontiguous(fluents/1)), fluents(Specs)]).
+user:term_expansion((:- static(Specs)), Clauses) :- user:term_expansion((:- fluent(Specs)), Clauses).
+user:term_expansion((:- dead_ends), []).
+user:term_expansion((:- pddl(_)), []).
 user:term_expansion((:- parameter(Name, Default)), [(:- discontiguous(parameter/2)), parameter(Name, Value)]) :-
     ( policy:model(parameter, Name=Given) -> Value = Given ; Value = Default ).
 user:term_expansion((:- uniform_start), []).

@@ -7,7 +7,7 @@
 :- use_module(library(apply), [foldl/4]).
 :- use_module(blame).
 :- use_module(guard, [guarded/2]).
-:- use_module(interpretation, [interpret/2]).
+:- use_module(interpretation, [enforce/2, interpret/2]).
 :- use_module(layout).
 :- use_module(test_clauses, [pack_clause/4]).
 
@@ -20,12 +20,13 @@ clauses while they are asked.
 */
 
 :- dynamic
-    state/3,                     % Table, Number, Facts
+    state/3,                     % Table, Number, state(Static, Facts, GoalValues)
     example/4.                   % Table, Number, State, Roots
 
 %!  load_examples(+Table, +States, +Examples) is det.
 %
-%   Replaces the examples that coverage/4 is asked about. States is a list of sorted fact lists, Examples a
+%   Replaces the examples that coverage/4 is asked about. States is a list of Static-Facts, the number of the
+%   static facts and a sorted list, Examples a
 %   list of [State, Action] with the number of a state, from 0.
 
 load_examples(Table, States, Examples) :-
@@ -38,14 +39,15 @@ drop_examples(Table) :-
     retractall(state(Table, _, _)),
     retractall(example(Table, _, _, _)).
 
-load_state(Table, Module, Facts, Number, Next) :-
+load_state(Table, Module, Static-Facts, Number, Next) :-
+    enforce(Module, Static),
     interpret(Module, Facts),
     goal_values(Table, GoalValues),
-    assertz(state(Table, Number, Facts-GoalValues)),
+    assertz(state(Table, Number, state(Static, Facts, GoalValues))),
     Next is Number+1.
 
 load_example(Table, [State, Action], Number, Next) :-
-    state(Table, State, _-GoalValues),
+    state(Table, State, state(_, _, GoalValues)),
     action_roots(Table, GoalValues, Action, _, Roots),
     assertz(example(Table, Number, State, Roots)),
     Next is Number+1.
@@ -74,7 +76,8 @@ example_words([Number|Numbers], Table, Module, Count, Current) -->
     { example(Table, Number, State, Roots),
       (   State == Current
       ->  true
-      ;   state(Table, State, Facts-_),
+      ;   state(Table, State, state(Static, Facts, _)),
+          enforce(Module, Static),
           interpret(Module, Facts)
       )
     },

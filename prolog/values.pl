@@ -1,12 +1,15 @@
 :- module(nppg_values,
           [ must_be_facts/3,     % +Module, +Source, +Facts      det
+            must_be_facts/4,     % +Module, +Source, +Facts, -Static  det
             must_be_actions/3,   % +Module, +Source, +Actions    det
             proper/1,            % +Term                         semidet
             defect/2,            % +Term, -Text                  det
             finite/1             % +Term                         semidet
           ]).
 
+:- use_module(library(apply), [partition/4]).
 :- use_module(library(lists), [member/2, memberchk/2]).
+:- use_module(contract, [declared/2]).
 :- use_module(guard, [fault/2]).
 
 /** <module> What a domain may give as facts, actions and numbers
@@ -20,10 +23,31 @@ must_be_facts(Module, Source, Facts) :-
     ;   fault(Module:Source, 'gave ~w where a list of facts is wanted,'-[Facts])
     ),
     (   member(Fact, Facts), \+ fact(Module, Fact)
-    ->  defect(Fact, Defect),
-        fault(Module:Source, 'gave ~w, which is no fact of a declared fluent~w,'-[Fact, Defect])
+    ->  (   static_fact(Module, Fact)
+        ->  fault(Module:Source, 'gave ~w, which is static: no effect can change it,'-[Fact])
+        ;   defect(Fact, Defect),
+            fault(Module:Source, 'gave ~w, which is no fact of a declared fluent~w,'-[Fact, Defect])
+        )
     ;   true
     ).
+
+%!  must_be_facts(+Module, +Source, +Facts, -Static) is det.
+%
+%   The same for what may have static facts, too; Static are these.
+
+must_be_facts(Module, Source, Facts, Static) :-
+    (   is_list(Facts), declared(Module, nppg_static(_))
+    ->  partition(static_fact(Module), Facts, Static, Others)
+    ;   Static = [],
+        Others = Facts
+    ),
+    must_be_facts(Module, Source, Others).
+
+static_fact(Module, Fact) :-
+    callable(Fact),
+    functor(Fact, Name, Arity),
+    declared(Module, nppg_static(Name/Arity)),
+    proper(Fact).
 
 fact(Module, Fact) :-
     callable(Fact),

@@ -114,7 +114,8 @@ class Coverage:
             numbers = np.repeat(np.arange(len(runs)), [b - a for a, b in runs]).tolist()
             pairs = [[number, action] for number, action in zip(numbers, plain(self.actions), strict=True)]
             table.domain.forget()
-            ask("examples", table.name, [facts_of(self.states[a]) for a, _ in runs], pairs)
+            states = [self.states[a] for a, _ in runs]
+            ask("examples", table.name, [[table.domain.static_number(each), facts_of(each)] for each in states], pairs)
             table.loaded = weakref.ref(self)
 
 

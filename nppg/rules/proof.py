@@ -76,7 +76,9 @@ def prove(policy: Policy, model: Path, greedy: bool = True, space: Space | None 
         space.starts,
         judge.evaluate(greedy).success if len(failing) else 1.0,
         tuple(
-            Failure(tuple(policy.domain.picture(space.states[i])), space.states[i], space.sizes[i], float(success[i]))
+            Failure(
+                tuple(policy.domain.picture(space.states[i])), tuple(space.states[i]), space.sizes[i], float(success[i])
+            )
             for i in sorted(failing, key=lambda i: (success[i] - 1) * space.sizes[i])
         ),
     )

@@ -6,36 +6,27 @@ docs/domains.md is the reference of domain files.
 
 from __future__ import annotations
 
+import copy
 import hashlib
-import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 
 from nppg.bridge.files import locate
 from nppg.bridge.plain import alone
-from nppg.bridge.prolog import ask, check_thread, drop_with, randomness
-from nppg.bridge.terms import Ground, compounds, ground, plain, texts
+from nppg.bridge.prolog import ask, randomness
+from nppg.bridge.terms import Ground, compounds, ground, plain
 from nppg.errors import NppgError, Problem
+from nppg.worlds.loaded import Loaded
+from nppg.worlds.state import NOTHING, Interpretation, Static, facts_of, interpretation_of, static_of
 
-State = tuple[Ground, ...]  # facts in Prolog's standard order
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+State = Sequence[Ground]  # facts in Prolog's standard order: an Interpretation, or a tuple
 Action = Ground
-
-
-class Interpretation(State):
-    """The facts that hold in a state; `str` writes them as Domain.state reads them."""
-
-    __slots__ = ()
-
-    def __str__(self) -> str:
-        return ", ".join(texts(self))
-
-
-def facts_of(state: State) -> list[Ground]:
-    """A state's facts, with Python's numbers where somebody has made it with NumPy's. Raises NppgError."""
-    return list(state) if type(state) is Interpretation else plain(state)
 
 
 def named(parameters: Mapping[str, int | float | str] | None) -> dict[str, int | float | str]:
@@ -77,41 +68,6 @@ class World(Protocol):
     def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]: ...
 
 
-class _Loaded:
-    """A loaded domain file: its module in Prolog, which stays until the last Domain of it is dropped, and which of the
-    states that these Domains visit is the current one."""
-
-    def __init__(self, path: Path, given: Mapping[str, int | float | str], source: bytes):
-        self.origin = (path, given, source)
-        self.module, entries = ask("load", str(path.resolve()), [list(each) for each in given.items()])
-        drop_with(self, "unload", self.module)
-        self.description = dict(entries)
-        self.current: State | None = None
-        self.situation: list | None = None  # that of the current state, where it is known
-
-    def __copy__(self) -> _Loaded:
-        return self
-
-    def __deepcopy__(self, memo: object) -> _Loaded:
-        return self
-
-    def __reduce__(self) -> tuple:
-        return _loaded_again, self.origin
-
-
-def _loaded_again(path: Path, given: Mapping[str, int | float | str], source: bytes) -> _Loaded:
-    """From the file, which may be another one by now or be missing, else from what it was."""
-    try:
-        if path.read_bytes() == source:
-            return _Loaded(path, given, source)
-    except OSError:
-        pass
-    with tempfile.TemporaryDirectory() as folder:
-        own = Path(folder, path.name)
-        own.write_bytes(source)
-        return _Loaded(own, given, source)
-
-
 class Domain:
     """An instance of a domain file with its parameters; it has its own module in Prolog until it is dropped.
 
@@ -129,11 +85,16 @@ class Domain:
             self.source = self.path.read_bytes()
         except OSError as error:
             raise NppgError([Problem(str(self.path), 0, 0, f"cannot be read: {error.strerror}")]) from None
-        self._loaded = _Loaded(self.path, self.given, self.source)
+        self._loaded = Loaded(self.path, self.given, self.source)
         description = self._loaded.description
         self.name: str = description["name"]
         self.parameters: dict[str, int | float | str] = dict(description["parameters"])
         self.fluents = {tuple(each) for each in description["fluents"]}
+        self.static = {tuple(each) for each in description["static"]}
+        self.has_start: bool = description["start"] == "true"
+        self.has_problems: bool = description["problems"] == "true"
+        self.pddl: str = description["pddl"]  # the PDDL file that it comes from, or empty
+        self.chosen: list[int] = []  # the problems that start states are drawn from, if not by start/1
         self.predicates = {tuple(each) for each in description["predicates"]}
         self.actions = {tuple(each) for each in description["actions"]}
         self.uniform_start: bool = description["uniform_start"] == "true"
@@ -151,9 +112,9 @@ class Domain:
 
     @property
     def is_countable(self) -> bool:
-        """Whether it is for exact evaluation, if it has few enough states: it declares a uniform start, has a goal, and
-        is seen as it is."""
-        return self.uniform_start and self.has_goal and not self.has_observation
+        """Whether it is for exact evaluation, if it has few enough states: it declares a uniform start, has a goal, is
+        seen as it is, and all its facts are in its states."""
+        return self.uniform_start and self.has_goal and not (self.has_observation or self.static or self.chosen)
 
     @property
     def hash(self) -> str:
@@ -163,28 +124,64 @@ class Domain:
     def state(self, text: str) -> State:
         """The state of these facts, written as Prolog has them: "on(b1, b2), on(b2, floor)". Raises NppgError for what
         is no text of ground facts of declared fluents."""
-        fluents = [f"{name}/{arity}" for name, arity in self.fluents]
-        return Interpretation(ground(ask("state_of", self.module, text.strip().removesuffix("."), fluents)))
+        known = [f"{name}/{arity}" for name, arity in self.fluents | self.static]
+        static, facts = ask("state_of", self.module, text.strip().removesuffix("."), known)
+        return Interpretation(ground(facts), Static(ground(static)) if static else NOTHING)
 
     def visit(self, state: State) -> None:
         """Makes a state the current interpretation in Prolog."""
-        check_thread()  # what is remembered of the current state is not to be seen while it changes
-        if state is not self._loaded.current:
-            self.forget()
-            ask("visit", self.module, facts_of(state))
-            self._loaded.current = state
+        self._loaded.visit(state)
+
+    def static_number(self, state: State) -> int:
+        """Under which Prolog keeps the static facts of a state."""
+        return self._loaded.number(static_of(state))
 
     def forget(self) -> None:
         """To be called by who makes another state current behind this object's back."""
-        self._loaded.current = self._loaded.situation = None
+        self._loaded.forget()
 
     def start(self, rng: np.random.Generator) -> State:
         """Draws a start state."""
+        if not (self.chosen or self.has_start):
+            self.chosen = self.problems
+        if self.chosen:
+            return self.problem(self.chosen[int(rng.random() * len(self.chosen))])
         self.forget()
         with randomness(rng):
-            state = Interpretation(ground(ask("draw", self.module)))
-        self._loaded.current = state
-        return state
+            return self._loaded.begun(ask("draw", self.module))
+
+    @property
+    def problems(self) -> list[int]:
+        """The numbers of its problems, none where it has none."""
+        return ask("problem_numbers", self.module) if self.has_problems else []
+
+    def problem_name(self, number: int) -> str:
+        """What a problem is called."""
+        return f"problem {number}"
+
+    def problem(self, number: int) -> State:
+        """The start state of a problem. Raises NppgError where there is none of this number."""
+        self.forget()
+        start = ask("begin", self.module, alone(number)) if self.has_problems else []
+        if not start:
+            raise self._no_problem(number)
+        return self._loaded.begun(start)
+
+    def with_problems(self, numbers: Iterable[int]) -> Self:
+        """The same domain with start states drawn from these problems, each as likely. Raises NppgError for numbers
+        that are none."""
+        numbers, known = list(numbers), set(self.problems)
+        for number in numbers:
+            if number not in known:
+                raise self._no_problem(number)
+        chosen = copy.copy(self)
+        chosen.chosen = numbers
+        return chosen
+
+    def _no_problem(self, number: int) -> NppgError:
+        known = self.problems
+        has = f"has problems {known[0]} to {known[-1]}" if known else "has no problems"
+        return NppgError([Problem(str(self.path), 0, 0, f"there is no problem {number}; the domain {has}")])
 
     def situation(self, state: State) -> Situation:
         """Whether the state ends an episode, and its legal actions in a fixed order."""
@@ -204,7 +201,7 @@ class Domain:
             return state
         self.visit(state)
         with randomness(rng):
-            return Interpretation(ground(ask("observed", self.module)))
+            return Interpretation(ground(ask("observed", self.module)), static_of(state))
 
     def expert_actions(self, state: State) -> list[Action]:
         """What the domain's expert would do, none if it has no advice."""
@@ -217,10 +214,23 @@ class Domain:
         Nearly always that state's situation is asked for next: Prolog brings it along."""
         self.visit(state)
         self.forget()
+        before = interpretation_of(state)
         with randomness(rng):
-            reward, facts, self._loaded.situation = ask("act", self.module, *plain([action]))
-        self._loaded.current = following = Interpretation(ground(facts))
+            reward, gone, new, self._loaded.situation = ask("act", self.module, *plain([action]))
+        self._loaded.current = following = before.changed(ground(gone), ground(new))
         return reward, following
+
+    def certain(self, state: State, action: Action) -> State | None:
+        """The state that an action leads to, None where that is left to chance."""
+        self.visit(state)
+        before = interpretation_of(state)
+        change = ask("certain", self.module, *plain([action]))
+        return before.changed(*map(ground, change)) if change else None
+
+    def cost(self, state: State, action: Action) -> float:
+        """What an action costs in the state: 1, unless the domain defines cost/2."""
+        self.visit(state)
+        return ask("cost_of", self.module, *plain([action]))
 
     def reward(self, state: State, action: Action) -> float:
         """The reward for an action that has just led to the state."""
@@ -231,10 +241,10 @@ class Domain:
         """Every legal action, also of a goal or terminal state, with all its outcomes."""
         self.visit(state)
         facts, found = ask("neighbours", self.module)
-        own = ground(facts)
+        own, static = ground(facts), static_of(state)
 
         def successor(facts: list) -> State:
-            return Interpretation([own[fact] if isinstance(fact, int) else ground(fact) for fact in facts])
+            return Interpretation((own[fact] if isinstance(fact, int) else ground(fact) for fact in facts), static)
 
         actions = compounds([action for action, _ in found])
         return [

@@ -32,7 +32,8 @@ test(status, Statuses == [running, goal, terminal]) :-
               interpret(M, Facts),
               status(M, Status) ),
             Statuses).
-test(outcomes, Outcomes == [0.75-[boat(right), fuel(1), car(c1, right)], 0.25-[boat(left), fuel(1), car(c1, left)]]) :-
+test(outcomes, Outcomes == [ 0.75-change([boat(left), fuel(2), car(c1, left)], [boat(right), fuel(1), car(c1, right)]),
+                            0.25-change([fuel(2)], [fuel(1)]) ]) :-
     ferry(M),
     interpret(M, [boat(left), fuel(2), car(c1, left)]),
     outcomes(M, carry(c1), Outcomes).
@@ -42,9 +43,11 @@ test(uncovered, throws(nppg_fault(_, 'allows ~w, which no effect covers,'-[swim]
 test(reward, Rewards == [10, -1]) :-
     ferry(M),
     interpret(M, [boat(right), fuel(0), car(c1, right)]),
-    reward(M, carry(c1), Won),
+    status(M, Good),
+    reward(M, carry(c1), Good, Won),
     interpret(M, [boat(right), fuel(0), car(c1, left)]),
-    reward(M, cross, Lost),
+    status(M, Bad),
+    reward(M, cross, Bad, Lost),
     Rewards = [Won, Lost].
 test(horizon, Steps == 3) :-
     ferry(M), at(Facts),

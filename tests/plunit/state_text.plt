@@ -9,7 +9,7 @@
 
 facts(Text, Facts) :-
     sea(M),
-    read_state(M, Text, ['boat/1', 'car/2', 'fuel/1'], Facts).
+    read_state(M, Text, ['boat/1', 'car/2', 'fuel/1'], [], Facts).
 
 test(sorted, Facts == [boat(left), fuel(2), car(c1, left)]) :-
     facts('fuel(2), car(c1, left), boat(left), fuel(2)', Facts).
@@ -24,5 +24,7 @@ test(no_fluent, throws(nppg_problems([-('', 0, 0,
     facts('boat(left), ship(left)', _).
 test(unbound, throws(nppg_problems([-('', 0, 0, 'boat(_) is no fact (it has an unbound variable)')]))) :-
     facts('boat(_)', _).
+test(static_facts_apart, [ setup(roads([], M)), cleanup(unload_domain(M)), Static-Facts == [road(a, b)]-[at(a)] ]) :-
+    read_state(M, 'road(a, b), at(a)', [], Static, Facts).
 
 :- end_tests(state_text).

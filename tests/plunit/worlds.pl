@@ -2,6 +2,7 @@
           [ ferry/3,             % +Parameters, -Module, -Description  det
             ferry/2,             % +Parameters, -Module          det
             blocks/1,            % -Module                       det
+            roads/2,             % +Parameters, -Module          det
             noisy/2,             % +Noise, -Module               det
             new_toy/0,           %                               det
             drop_toy/0,          %                               det
@@ -17,10 +18,12 @@
 The module toy is one without a file.
 */
 
-:- dynamic ferry_file/1, blocks_file/1, noisy_file/1.
+:- dynamic ferry_file/1, roads_file/1, blocks_file/1, noisy_file/1.
 :- prolog_load_context(directory, Directory),
    atom_concat(Directory, '/../domains/ferry.pl', File),
    assertz(ferry_file(File)),
+   atom_concat(Directory, '/../domains/roads.pl', Roads),
+   assertz(roads_file(Roads)),
    atom_concat(Directory, '/../../domains/blocks_world.pl', Blocks),
    assertz(blocks_file(Blocks)),
    atom_concat(Directory, '/../../domains/noisy_blocks.pl', Noisy),
@@ -32,6 +35,10 @@ ferry(Parameters, Module, Description) :-
 
 ferry(Parameters, Module) :-
     ferry(Parameters, Module, _).
+
+roads(Parameters, Module) :-
+    roads_file(File),
+    load_domain(File, Parameters, Module, _).
 
 blocks(Module) :-
     blocks_file(File),

@@ -1,0 +1,92 @@
+"""A loaded domain file, and which state is current there."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from weakref import WeakValueDictionary
+
+from nppg.bridge.prolog import ask, check_thread, drop_with
+from nppg.bridge.terms import Ground, ground, plain
+from nppg.worlds.state import NOTHING, Interpretation, Static, facts_of, static_of
+
+
+class Loaded:
+    """A loaded domain file: its module in Prolog, which stays until the last Domain of it is dropped, and which of the
+    states that these Domains visit is the current one."""
+
+    def __init__(self, path: Path, given: Mapping[str, int | float | str], source: bytes):
+        self.origin = (path, given, source)
+        self.module, entries = ask("load", str(path.resolve()), [list(each) for each in given.items()])
+        drop_with(self, "unload", self.module)
+        self.description = dict(entries)
+        self.current: Sequence[Ground] | None = None
+        self.situation: list | None = None  # that of the current state, where it is known
+        self._static: WeakValueDictionary[int, Static] = WeakValueDictionary()
+        self.keep(NOTHING, 0)
+
+    def number(self, static: Static) -> int:
+        """Under which Prolog keeps these static facts, which it is told when they are first needed."""
+        if self not in static.numbers:
+            self.keep(static, ask("keep_static", self.module, plain(static.facts)))
+        return static.numbers[self]
+
+    def keep(self, static: Static, number: int) -> None:
+        """Notes that Prolog keeps these static facts, for as long as somebody refers to them."""
+        static.numbers[self] = number
+        self._static[number] = static
+        if number:
+            drop_with(static, "static_drop", self.module, number)
+
+    def begun(self, start: list) -> Interpretation:
+        """The state that Prolog has made current, of its static facts' number and its facts."""
+        number, facts = start
+        static = self._static.get(number)
+        if static is None:
+            static = Static(lambda: ground(ask("static_of", self.module, number)))
+            self.keep(static, number)
+        self.current = state = Interpretation(ground(facts), static)
+        return state
+
+    def visit(self, state: Sequence[Ground]) -> None:
+        """Makes a state current in Prolog."""
+        check_thread()  # what is remembered of the current state is not to be seen while it changes
+        before = self.current
+        if state is before:
+            return
+        self.forget()
+        change = None
+        if isinstance(before, Interpretation) and isinstance(state, Interpretation):
+            change = before.difference(state)
+        if change:
+            ask("step", self.module, *map(list, change))
+        else:
+            ask("visit", self.module, self.number(static_of(state)), facts_of(state))
+        self.current = state
+
+    def forget(self) -> None:
+        """To be called by who makes another state current behind this object's back."""
+        self.current = self.situation = None
+
+    def __copy__(self) -> Loaded:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Loaded:
+        return self
+
+    def __reduce__(self) -> tuple:
+        return _loaded_again, self.origin
+
+
+def _loaded_again(path: Path, given: Mapping[str, int | float | str], source: bytes) -> Loaded:
+    """From the file, which may be another one by now or be missing, else from what it was."""
+    try:
+        if path.read_bytes() == source:
+            return Loaded(path, given, source)
+    except OSError:
+        pass
+    with tempfile.TemporaryDirectory() as folder:
+        own = Path(folder, path.name)
+        own.write_bytes(source)
+        return Loaded(own, given, source)
