@@ -14,7 +14,8 @@ from nppg import LanguageBias, train
 from nppg.judging.evaluation import ExactEvaluator
 from nppg.judging.space import Space
 from nppg.learning.options import Common
-from nppg.worlds.domain import Action, Domain, State
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import Action, State
 
 
 class Row(NamedTuple):

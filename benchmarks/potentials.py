@@ -16,7 +16,7 @@ from nppg import Domain, LanguageBias, Options, Policy, train
 from nppg.answers.coverage import root_table
 from nppg.bias.refinement import Refiner
 from nppg.bridge.files import locate
-from nppg.worlds.domain import Action, State
+from nppg.worlds.world import Action, State
 
 SIZES = (100, 500, 2000)
 STATES = 2000

@@ -5,12 +5,14 @@
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(prolog_stack), []).
+:- use_module(contract, [contract/1]).
 :- use_module(domain).
 :- use_module(guard).
 :- use_module(interpretation).
 :- use_module(loading).
 :- use_module(model).
 :- use_module(potential).
+:- use_module(problem_file).
 :- use_module(query_pack).
 :- use_module(report, [problems/2]).
 :- use_module(state_text).
@@ -77,6 +79,26 @@ state_of(Module, Text, Fluents, [StaticData, Data]) :-
     read_state(Module, Text, Fluents, Static, Facts),
     encode_all(Static, StaticData),
     encode_all(Facts, Data).
+
+%!  problems_in(+Module, +File, -Problems) is det: the start states of a file, each [Name, Static, Facts].
+
+problems_in(Module, File, Problems) :-
+    read_problems(Module, File, Found),
+    findall([Name, StaticData, Data],
+            ( member(problem(Given, Static, Facts), Found),
+              format(atom(Name), '~w', [Given]),
+              encode_all(Static, StaticData),
+              encode_all(Facts, Data) ),
+            Problems).
+
+%!  taken(+Name, +Arity, -Truth) is det: whether a predicate of this name is not a domain file's to define.
+
+taken(Name, Arity, Truth) :-
+    functor(Head, Name, Arity),
+    (   ( contract(Name/Arity) ; predicate_property(system:Head, defined) ; predicate_property(nppg_randomness:Head, exported) )
+    ->  Truth = true
+    ;   Truth = false
+    ).
 
 drawing(Module, Lines) :-
     picture(Module, Lines).

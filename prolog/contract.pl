@@ -191,6 +191,8 @@ description(Module, _, pddl, File) :-
     ->  File = Found
     ;   File = ''
     ).
+description(Module, _, cost, Cost) :-
+    truth(defined(Module, cost/2), Cost).
 description(Module, _, start, Start) :-
     truth(( defined(Module, start/1) ; environment(Module, _) ), Start).
 description(Module, _, problems, Problems) :-

@@ -18,7 +18,8 @@ from nppg.bridge.files import locate
 from nppg.bridge.terms import Ground
 from nppg.logic.query import OPEN, Query, Var
 from nppg.trees.tree import Leaf, Node, Rule, Tree
-from nppg.worlds.domain import Action, Domain, State
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import Action, State
 
 Values = dict[Var, Ground | None]
 Relations = dict[str, set[tuple[Ground, ...]]]

@@ -15,7 +15,8 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, Refiner
 from nppg.errors import NppgError
 from nppg.logic.query import Literal, Query, Var
-from nppg.worlds.domain import Action, Domain, State
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import Action, State
 
 
 def asked_one_by_one(domain: Domain, bias: LanguageBias, query: Query, state: State, action: Action) -> bool:

@@ -14,7 +14,7 @@ from nppg import Domain, LanguageBias, NppgError, Options, generate_episode, tra
 from nppg.answers.check import check
 from nppg.bridge.prolog import ask
 from nppg.policy.policy import Policy
-from nppg.worlds.domain import Action, Outcome, State
+from nppg.worlds.world import Action, Outcome, State
 
 ROOT = Path(__file__).parent.parent
 FILES = sorted([*(ROOT / "domains").glob("*.pl"), *(ROOT / "tests" / "domains").glob("*.pl")])

@@ -18,7 +18,8 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refiner
 from nppg.errors import NppgError
 from nppg.logic.query import Query, Var, exact
-from nppg.worlds.domain import Domain, State
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import State
 
 DOMAIN = """
 :- module(meadow, []).

@@ -20,8 +20,8 @@ from nppg.learning.episode import Episode
 from nppg.rrl.options import TGOptions
 from nppg.rrl.training import examples
 from nppg.trees.tree import Leaf
-from nppg.worlds.domain import State
 from nppg.worlds.gym_domain import GymDomain
+from nppg.worlds.world import State
 
 gymnasium = pytest.importorskip("gymnasium")
 spaces = gymnasium.spaces

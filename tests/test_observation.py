@@ -21,7 +21,8 @@ from nppg.learning.options import Options
 from nppg.policy.policy import Policy
 from nppg.rrl.qfunction import QFunction
 from nppg.rrl.training import examples
-from nppg.worlds.domain import Domain, State
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import State
 
 BIAS = LanguageBias.load(locate("noisy_blocks", "language_bias", ".yaml"))
 HEAD = ":- module(odd, []).\n:- fluent at/1.\nstart([at(1)]).\naction(go).\neffect(go, [], []).\ngoal :- at(2).\n"

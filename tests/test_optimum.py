@@ -15,7 +15,7 @@ from nppg.judging.evaluation import ExactEvaluator
 from nppg.judging.optimum import ReturnEvaluator
 from nppg.judging.space import Space
 from nppg.policy.policy import Policy
-from nppg.worlds.domain import State
+from nppg.worlds.world import State
 
 
 @pytest.fixture(scope="module")

@@ -24,7 +24,7 @@ from nppg.judging.space import Space
 from nppg.rrl import distance, matching
 from nppg.rrl.distance import PairDistance
 from nppg.rrl.matching import PartSets, edit_distances, grown
-from nppg.worlds.domain import Action, State
+from nppg.worlds.world import Action, State
 
 PARTS = st.lists(st.integers(1, 3), max_size=4).map(tuple)
 SETS = st.lists(PARTS, max_size=4)

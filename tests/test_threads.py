@@ -15,7 +15,7 @@ import pytest
 from nppg import Domain, NppgError, Options, Policy, evaluate, generate_episode, language_bias_of, train
 from nppg.bridge.interrupts import interruptible
 from nppg.bridge.terms import texts
-from nppg.worlds.domain import State
+from nppg.worlds.world import State
 
 
 @cache

@@ -34,7 +34,8 @@ from nppg.rules.explain import explained
 from nppg.trees.clauses import from_clause, to_clause
 from nppg.trees.tilde import Example, Newton, best_split, fit, grow
 from nppg.trees.tree import Leaf, Node, Rule, Tree, rules
-from nppg.worlds.domain import Action, Domain, State
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import Action, State
 
 DEPOT = """
 :- module(depot, []).

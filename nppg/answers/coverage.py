@@ -20,7 +20,9 @@ from nppg.bridge.prolog import ask
 from nppg.bridge.terms import encoded, plain
 from nppg.errors import NppgError
 from nppg.logic.query import Literal, Query
-from nppg.worlds.domain import Action, Domain, State, facts_of
+from nppg.worlds.domain import Domain
+from nppg.worlds.state import facts_of
+from nppg.worlds.world import Action, State
 
 Known = Mapping[Query, np.ndarray]
 

@@ -19,7 +19,9 @@ from nppg.bias.refinement import KIND, is_open
 from nppg.bridge.terms import Ground, plain
 from nppg.errors import NppgError, Problem
 from nppg.logic.query import OPEN, Literal, Query, Term, Var, exact
-from nppg.worlds.domain import Action, Domain, State, facts_of
+from nppg.worlds.domain import Domain
+from nppg.worlds.state import facts_of
+from nppg.worlds.world import Action, State
 
 _MEMORY = 1000  # lists of actions whose answers are remembered
 _KIND = -1  # a root variable of its own

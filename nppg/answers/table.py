@@ -20,7 +20,8 @@ from nppg.bridge.prolog import ask, drop_with
 from nppg.bridge.terms import encoded, plain
 from nppg.errors import NppgError
 from nppg.logic.query import OPEN, Literal, Query, opened, variables
-from nppg.worlds.domain import Action, Domain, State
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import Action, State
 
 WORD = 60  # tests in one integer: it stays a small one in Prolog
 BITS = 64  # of an integer in NumPy

@@ -32,9 +32,35 @@ class Parser(argparse.ArgumentParser):
 
 def add_domain(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
     """The domain, its parameters and its language bias."""
-    parser.add_argument("domain", help="a shipped domain's name, a file, or gym:ID for an environment of Gymnasium")
+    parser.add_argument(
+        "domain", help="a shipped domain's name, a file, in PDDL too, or gym:ID for an environment of Gymnasium"
+    )
     parser.add_argument("--bias", help="language bias (default: the file of the domain's name, or a generated one)")
     add_parameters(parser)
+    add_problems(parser)
+
+
+def add_problems(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
+    """By --problems."""
+    parser.add_argument(
+        "--problems",
+        nargs="+",
+        default=[],
+        metavar="FILE",
+        help="start states: the files of problems, or the numbers of the domain's own (1-20, or 3,5,8-10)",
+    )
+
+
+def add_acting(parser: argparse.ArgumentParser) -> None:
+    """How far an episode goes, and whether it comes back."""
+    parser.add_argument(
+        "--horizon-factor", type=float, metavar="FLOAT", help="of the domain's horizon (default: as in training)"
+    )
+    parser.add_argument(
+        "--no-revisits",
+        action="store_true",
+        help="enter no state of the episode twice while there is another action",
+    )
 
 
 def add_parameters(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:

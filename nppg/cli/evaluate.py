@@ -3,35 +3,50 @@
 from __future__ import annotations
 
 import argparse
+import csv
 import json
+import sys
 from dataclasses import asdict
 
 from nppg.cli import loading
-from nppg.cli.arguments import add_model, add_parameters
+from nppg.cli.arguments import add_acting, add_model, add_parameters, add_problems
+from nppg.errors import NppgError
 from nppg.judging.evaluation import evaluate, evaluate_exactly, merit
-from nppg.learning.options import Options
+from nppg.judging.problems import Attempt, attempts
+from nppg.policy.policy import Policy
+
+_COLUMNS = ("problem", "name", "ended", "steps", "cost", "seconds")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The model, and over which start states."""
     add_model(parser)
     add_parameters(parser)
+    add_problems(parser)
     how = parser.add_mutually_exclusive_group()
     how.add_argument("--exact", action="store_true", help="over all start states")
     how.add_argument("--starts", type=int, default=1000, help="number of sampled starts (default: 1000)")
-    parser.add_argument("--greedy", action="store_true", help="take the most probable action")
-    parser.add_argument(
-        "--horizon-factor", type=float, metavar="FLOAT", help="of the domain's horizon (default: as in training)"
+    chooses = parser.add_mutually_exclusive_group()
+    chooses.add_argument(
+        "--greedy", action="store_true", help="take the most probable action; on problems this is the default"
     )
-    parser.add_argument("--seed", type=int, default=0, help="of the sampled starts (default: 0)")
-    parser.add_argument("--json", action="store_true", help="print one JSON object")
+    chooses.add_argument("--stochastic", action="store_true", help="draw actions by their probabilities")
+    add_acting(parser)
+    parser.add_argument("--seed", type=int, default=0, help="of the sampled starts, and of what is drawn (default: 0)")
+    form = parser.add_mutually_exclusive_group()
+    form.add_argument("--json", action="store_true", help="print one JSON object")
+    form.add_argument("--csv", action="store_true", help="print a table of the problems")
 
 
 def run(options: argparse.Namespace) -> int:
-    """Prints the success, or the return where there is no goal. Raises NppgError."""
+    """Prints the success, or the return where there is no goal; of problems each one's end. Raises NppgError."""
     policy = loading.policy(options)
-    given = options.horizon_factor
-    factor = Options(horizon_factor=policy.option("horizon_factor", 1.0) if given is None else given).horizon_factor
+    if options.problems:
+        _on_problems(options, policy)
+        return 0
+    if options.csv or options.no_revisits:
+        raise NppgError(f"--{'csv' if options.csv else 'no-revisits'} is for problems: name them by --problems")
+    factor = loading.factor(options, policy)
     if options.exact:
         result = evaluate_exactly(policy, options.greedy, factor)
     else:
@@ -45,3 +60,36 @@ def run(options: argparse.Namespace) -> int:
         name, value = merit(policy, result)
         print(f"{name.replace('_', ' ')} of the {kind} policy over {over}: {value:.6f} ({steps})")
     return 0
+
+
+def _on_problems(options: argparse.Namespace, policy: Policy) -> None:
+    if options.exact:
+        raise NppgError("--exact is about all start states, not about problems")
+    found = attempts(
+        policy,
+        seed=options.seed,
+        greedy=not options.stochastic,
+        horizon_factor=loading.factor(options, policy),
+        revisits=not options.no_revisits,
+    )
+    if options.csv:
+        table = csv.writer(sys.stdout, lineterminator="\n")
+        table.writerow(_COLUMNS)
+        for each in found:
+            table.writerow(_row(each).values())
+        return
+    width = max(map(len, policy.domain.problems.values()), default=0)
+    done = []
+    for each in found:
+        done.append(each)
+        if not options.json:
+            print(f"{each.name:{width}}  {each.ended:8}  {each.steps:5} steps  {each.seconds:8.3f} s", flush=True)
+    solved = sum(each.solved for each in done)
+    if options.json:
+        print(json.dumps({"solved": solved, "problems": len(done), "list": list(map(_row, done))}))
+    else:
+        print(f"solved {solved} of {len(done)}")
+
+
+def _row(each: Attempt) -> dict[str, object]:
+    return {name: getattr(each, name) for name in _COLUMNS}

@@ -8,14 +8,23 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.files import locate
 from nppg.cli.arguments import parameters, warnings_told
 from nppg.errors import NppgError, Problem
+from nppg.learning.options import Options
 from nppg.policy.policy import Policy
 from nppg.worlds.domain import Domain
-from nppg.worlds.opening import bias_path, is_environment, language_bias_of, open_domain, warn_of_another_task
+from nppg.worlds.opening import (
+    bias_path,
+    is_generated,
+    language_bias_of,
+    open_domain,
+    warn_of_another_task,
+    with_problems,
+)
+from nppg.worlds.problems import sorted_out
 
 
 def domain(options: argparse.Namespace) -> Domain:
     """Raises NppgError."""
-    return open_domain(options.domain, parameters(options.set))
+    return open_domain(options.domain, parameters(options.set), options.problems)
 
 
 def bias(options: argparse.Namespace, domain: Domain | None) -> LanguageBias | None:
@@ -27,7 +36,7 @@ def bias(options: argparse.Namespace, domain: Domain | None) -> LanguageBias | N
         return found
     if domain:
         return language_bias_of(domain)
-    if is_environment(options.domain):
+    if is_generated(options.domain):
         return None
     return LanguageBias.load(bias_path(locate(options.domain, "domains", ".pl"), parameters(options.set)))
 
@@ -35,7 +44,15 @@ def bias(options: argparse.Namespace, domain: Domain | None) -> LanguageBias | N
 def policy(options: argparse.Namespace, tell: bool = True) -> Policy:
     """Read from the model file. Raises NppgError."""
     with warnings_told(tell):
-        return Policy.load(options.model, parameters(getattr(options, "set", [])))
+        found = Policy.load(options.model, parameters(getattr(options, "set", [])))
+    found.domain = with_problems(found.domain, *sorted_out(getattr(options, "problems", [])))
+    return found
+
+
+def factor(options: argparse.Namespace, policy: Policy) -> float:
+    """The horizon's: --horizon-factor, else that of the policy's training. Raises NppgError."""
+    given = options.horizon_factor
+    return Options(horizon_factor=policy.option("horizon_factor", 1.0) if given is None else given).horizon_factor
 
 
 def bias_of(policy: Policy, options: argparse.Namespace) -> LanguageBias:

@@ -11,7 +11,7 @@ from nppg.cli.arguments import add_model, add_parameters
 from nppg.learning.episode import generate_episode
 from nppg.learning.options import at_least
 from nppg.policy.policy import Policy
-from nppg.worlds.domain import State
+from nppg.worlds.world import State
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

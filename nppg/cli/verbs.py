@@ -14,9 +14,11 @@ from nppg.errors import NppgError, suggestion
 VERBS = {
     "doctor": "look whether everything that nppg needs is there",
     "new": "write a commented domain and language bias to start from",
+    "import": "write a domain, its language bias and its problems from PDDL",
     "check": "report every mistake in a domain and its language bias",
     "train": "learn a policy",
     "evaluate": "measure a policy's success",
+    "plan": "print the plan that a policy finds for a problem",
     "show": "print a policy's trees",
     "play": "draw one episode step by step",
     "distill": "write few rules that choose like a policy of many trees",

@@ -31,7 +31,7 @@ def in_the_way(domain: Domain, bias: LanguageBias, output: Path) -> list[Problem
 
 def _copies(domain: Domain, bias: LanguageBias) -> dict[str, bytes]:
     """The contents of the input files, by name; a bias made in Python has none."""
-    copies = {domain.path.name: domain.source}
+    copies = {domain.path.name: domain.source, **domain.companions}
     return copies | {Path(bias.file).name: bias.source} if bias.source else copies
 
 

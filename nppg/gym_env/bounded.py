@@ -22,8 +22,9 @@ from nppg.bridge.files import locate
 from nppg.errors import NppgError, Problem
 from nppg.gym_env.domain_env import DomainEnv, spaces
 from nppg.learning.options import at_least
-from nppg.worlds.domain import Action, Domain, State
+from nppg.worlds.domain import Domain
 from nppg.worlds.opening import language_bias_of
+from nppg.worlds.world import Action, State
 
 _SEARCHES = ((1, 3000), (5, 200), (100, 20))  # starts, and actions taken from each: some searches deep, many wide
 

@@ -14,9 +14,9 @@ from nppg.bridge.terms import texts
 from nppg.errors import NppgError, Problem
 from nppg.learning.episode import IDLE, longest
 from nppg.learning.options import Options
-from nppg.worlds.domain import Action, State
 from nppg.worlds.gym_values import Unfit, whole
 from nppg.worlds.opening import open_domain
+from nppg.worlds.world import Action, State
 
 try:
     import gymnasium

@@ -18,7 +18,8 @@ import numpy as np
 from nppg.bridge.terms import Ground
 from nppg.errors import NppgError
 from nppg.judging.canonical import Canonizer, Form
-from nppg.worlds.domain import Action, Domain, Outcome, State
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import Action, Outcome, State
 
 _DRAWN = 200  # starts that are held against the space
 _CHANCE = 1e-9  # what is less likely than this does not happen to uniformly drawn starts

@@ -17,7 +17,8 @@ from nppg.learning.regressors import Examples, regressor
 from nppg.learning.visits import Visit
 from nppg.policy.policy import Policy
 from nppg.trees.tilde import size_of
-from nppg.worlds.domain import Domain, State
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import State
 
 STATE = "state"  # the one action that the value function's trees are about, so that they are about states
 

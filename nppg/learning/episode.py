@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -14,7 +14,8 @@ from nppg.errors import NppgError, Problem
 from nppg.learning.gradient import total
 from nppg.learning.options import Common
 from nppg.policy.policy import Policy, choose, choose_best
-from nppg.worlds.domain import Action, State, World
+from nppg.worlds.state import interpretation_of
+from nppg.worlds.world import Action, State, World
 
 IDLE = 1000  # episodes in a row without a step, after which there is nothing to wait for
 _ROUNDING = Fraction(1, 10**12)  # what is so near to a whole number, relatively, is one
@@ -75,9 +76,12 @@ def generate_episode(
     horizon_factor: float = 1.0,
     greedy: bool = False,
     learning: bool = False,
+    start: State | None = None,
+    revisits: bool = True,
 ) -> Episode:
-    """Draws a start state and acts until the episode ends: in a goal or terminal state, or cut off, by its environment
-    or after horizon_factor times the domain's horizon.
+    """Draws a start state, unless it is given one, and acts until the episode ends: in a goal or terminal state, or cut
+    off, by its environment or after horizon_factor times the domain's horizon. Without `revisits` no action is taken
+    that leads for certain to a state that the episode has been in, while there is another one.
 
     With probability `guidance` the whole episode is a trace of the domain's expert; where it has no advice, the policy
     acts: greedily, if it is to or does so wherever it does not learn. Raises NppgError where the domain's code is at
@@ -86,7 +90,8 @@ def generate_episode(
     domain: World = policy.domain
     greedy = greedy or (policy.greedy and not learning)
     guided = guidance > 0 and bool(rng.random() < guidance)
-    state = domain.start(rng)
+    state = domain.start(rng) if start is None else start
+    met = None if revisits else {interpretation_of(state).fingerprint}
     most = longest(domain.horizon(state), horizon_factor)
     steps: list[Step] = []
     status, actions = domain.situation(state)
@@ -100,11 +105,43 @@ def generate_episode(
             chosen = actions.index(advice[int(rng.random() * len(advice))])
         else:
             chosen = choose_best(potentials, rng) if greedy else choose(probabilities, rng)
+            if met is not None:
+                weights = potentials if greedy else probabilities
+                chosen = _leading_on(domain, state, actions, weights, chosen, met, greedy, rng)
         reward, following = domain.act(state, actions[chosen], rng)
         steps.append(Step(seen, actions, answers, potentials, probabilities, chosen, reward, state, bool(advice)))
         state = following
+        if met is not None:
+            met.add(interpretation_of(state).fingerprint)
         status, actions = domain.situation(state)
     return Episode(tuple(steps), domain.observe(state, rng), actions, status == "goal", state)
+
+
+def _leading_on(
+    domain: World,
+    state: State,
+    actions: Sequence[Action],
+    weights: np.ndarray,
+    first: int,
+    met: Collection[int],
+    greedy: bool,
+    rng: np.random.Generator,
+) -> int:
+    """The action that is chosen where those that lead back are left out, by potentials if it is greedy, else by
+    probabilities; the first choice where all of them do."""
+    chosen, left = first, np.arange(len(actions))
+    while True:
+        following = domain.certain(state, actions[chosen])
+        if following is None or interpretation_of(following).fingerprint not in met:
+            return chosen
+        left = left[left != chosen]
+        if len(left) == 0:
+            return first
+        own = weights[left]
+        if greedy:
+            chosen = int(left[choose_best(own, rng)])
+        else:
+            chosen = int(left[choose(own / own.sum() if own.sum() > 0 else np.full(len(own), 1 / len(own)), rng)])
 
 
 def training_episodes(policy: Policy, rng: np.random.Generator, options: Common) -> Iterator[Episode]:

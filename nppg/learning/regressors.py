@@ -19,7 +19,8 @@ from nppg.logic.subsumption import deciding_tests
 from nppg.trees import cart
 from nppg.trees.tilde import Newton, Split, grow
 from nppg.trees.tree import Leaf, Node, Tree
-from nppg.worlds.domain import Action, Domain, State
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import Action, State
 
 
 @dataclass(frozen=True, slots=True)

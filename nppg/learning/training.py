@@ -19,7 +19,8 @@ from nppg.learning.visits import Visit, kept, normalised, revisited
 from nppg.policy.policy import Policy
 from nppg.trees.tilde import Newton, size_of
 from nppg.trees.tree import leaves
-from nppg.worlds.domain import Action, Domain, State
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import Action, State
 
 
 @dataclass(frozen=True, slots=True)

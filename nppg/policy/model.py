@@ -56,7 +56,7 @@ def write(policy: Writable, path: Path, facts: Sequence[tuple] = (), sentences: 
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise NppgError([Problem(str(path.parent), 0, 0, f"the folder cannot be made: {error.strerror}")]) from None
-    copies = {policy.domain.path.name: policy.domain.source}
+    copies = {policy.domain.path.name: policy.domain.source, **policy.domain.companions}
     if problems := conflicts(path.parent, copies, [path.name]):
         raise NppgError(problems.values())
     write_copies(path.parent, copies)

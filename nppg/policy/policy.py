@@ -21,7 +21,8 @@ from nppg.policy.forest import Forest
 from nppg.policy.gibbs import best, gibbs
 from nppg.trees.clauses import to_clause
 from nppg.trees.tree import Tree, leaves, mapped, rules, tests
-from nppg.worlds.domain import Action, Domain, State
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import Action, State
 
 
 class Policy:

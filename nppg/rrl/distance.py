@@ -23,7 +23,8 @@ from nppg.bridge.terms import Ground, plain
 from nppg.errors import NppgError
 from nppg.logic.query import exact
 from nppg.rrl.matching import PartSets, grown
-from nppg.worlds.domain import Action, Domain, State
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import Action, State
 
 _REMEMBERED = (2**14, 2**14)  # sets of parts of `pairs` and of `others` whose distances are remembered: 256 MB at most
 _FAR = 255  # so far and farther is not remembered

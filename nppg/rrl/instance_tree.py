@@ -25,7 +25,7 @@ from nppg.rrl.options import InstanceOptions, RIBOptions, TrendiOptions
 from nppg.rrl.qfunction import Example, QFunction
 from nppg.trees.tilde import best_split
 from nppg.trees.tree import Tree
-from nppg.worlds.domain import Action, State
+from nppg.worlds.world import Action, State
 
 
 class _Held:

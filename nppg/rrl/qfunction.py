@@ -11,7 +11,7 @@ from nppg.answers.table import Table
 from nppg.policy.gibbs import best, gibbs
 from nppg.policy.policy import Policy
 from nppg.rrl.options import QOptions
-from nppg.worlds.domain import Action, State
+from nppg.worlds.world import Action, State
 
 
 class Example(NamedTuple):

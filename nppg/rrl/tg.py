@@ -15,7 +15,7 @@ from nppg.rrl.numbered_tree import NumberedTree
 from nppg.rrl.options import GrowthOptions
 from nppg.rrl.qfunction import Example
 from nppg.trees.tilde import best_gain, is_significant
-from nppg.worlds.domain import Action, State
+from nppg.worlds.world import Action, State
 
 
 class Statistics:

@@ -25,7 +25,7 @@ from nppg.policy.gibbs import best
 from nppg.policy.policy import Policy
 from nppg.trees.tilde import grow
 from nppg.trees.tree import Rule, Tree, from_rules, rules
-from nppg.worlds.domain import Action, State
+from nppg.worlds.world import Action, State
 
 _GOOD = (0.3, 1 - 1e-9)  # an action counts as preferred from this share of the best one's probability on
 _DEPTHS = range(1, 9)

@@ -19,7 +19,8 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refiner
 from nppg.logic.query import Query
 from nppg.trees.tree import Leaf, Node, Tree, mapped
-from nppg.worlds.domain import Action, Domain, State
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import Action, State
 
 _GAIN = 1e-9  # less than this, in the square of the targets' unit, is no gain but rounding
 _TIE = 1e-9  # gains this near to the best one, relatively, count as equal: the first candidate wins

@@ -10,7 +10,7 @@ import copy
 import hashlib
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,52 +20,18 @@ from nppg.bridge.prolog import ask, randomness
 from nppg.bridge.terms import Ground, compounds, ground, plain
 from nppg.errors import NppgError, Problem
 from nppg.worlds.loaded import Loaded
+from nppg.worlds.problems import Problems, numbered, problems_in
 from nppg.worlds.state import NOTHING, Interpretation, Static, facts_of, interpretation_of, static_of
+from nppg.worlds.world import Action, Outcome, Situation, State
 
 if TYPE_CHECKING:
     from typing_extensions import Self
-
-State = Sequence[Ground]  # facts in Prolog's standard order: an Interpretation, or a tuple
-Action = Ground
 
 
 def named(parameters: Mapping[str, int | float | str] | None) -> dict[str, int | float | str]:
     """Parameters as Prolog has them: NumPy's numbers are numbers, True and False are the names true and false."""
     values = {name: alone(value) for name, value in (parameters or {}).items()}
     return {name: str(value).lower() if isinstance(value, bool) else value for name, value in values.items()}
-
-
-class Situation(NamedTuple):
-    """What a state is: `running`, `goal` or `terminal`; or `truncated`, where no further step may be taken though the
-    task is not over, as an environment of Gymnasium may say. And its legal actions, none in a goal or terminal state.
-    """
-
-    status: str
-    actions: list[Action]
-
-
-class Outcome(NamedTuple):
-    """One of the states that an action may lead to."""
-
-    probability: float
-    state: State
-
-
-class World(Protocol):
-    """What an episode needs of a domain, as Domain documents it: nppg.worlds.gym_domain has it from an environment of
-    Gymnasium in place of a domain file's predicates."""
-
-    def start(self, rng: np.random.Generator) -> State: ...
-
-    def situation(self, state: State) -> Situation: ...
-
-    def horizon(self, state: State) -> int: ...
-
-    def observe(self, state: State, rng: np.random.Generator) -> State: ...
-
-    def expert_actions(self, state: State) -> list[Action]: ...
-
-    def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]: ...
 
 
 class Domain:
@@ -92,7 +58,9 @@ class Domain:
         self.fluents = {tuple(each) for each in description["fluents"]}
         self.static = {tuple(each) for each in description["static"]}
         self.has_start: bool = description["start"] == "true"
-        self.has_problems: bool = description["problems"] == "true"
+        self.has_costs: bool = description["cost"] == "true"
+        self._numbers_problems: bool = description["problems"] == "true"
+        self._problems: Problems | None = None
         self.pddl: str = description["pddl"]  # the PDDL file that it comes from, or empty
         self.chosen: list[int] = []  # the problems that start states are drawn from, if not by start/1
         self.predicates = {tuple(each) for each in description["predicates"]}
@@ -143,7 +111,7 @@ class Domain:
     def start(self, rng: np.random.Generator) -> State:
         """Draws a start state."""
         if not (self.chosen or self.has_start):
-            self.chosen = self.problems
+            self.chosen = list(self.problems)
         if self.chosen:
             return self.problem(self.chosen[int(rng.random() * len(self.chosen))])
         self.forget()
@@ -151,35 +119,53 @@ class Domain:
             return self._loaded.begun(ask("draw", self.module))
 
     @property
-    def problems(self) -> list[int]:
-        """The numbers of its problems, none where it has none."""
-        return ask("problem_numbers", self.module) if self.has_problems else []
+    def problems(self) -> Mapping[int, str]:
+        """Its problems, the names by number; empty where it has none."""
+        if self._problems is None:
+            numbers = ask("problem_numbers", self.module) if self._numbers_problems else []
+            self._problems = Problems({number: f"problem {number}" for number in numbers}, self._begin)
+        return self._problems.names
 
-    def problem_name(self, number: int) -> str:
-        """What a problem is called."""
-        return f"problem {number}"
+    def _begin(self, number: int) -> Interpretation:
+        self.forget()
+        return self._loaded.begun(ask("begin", self.module, number))
 
     def problem(self, number: int) -> State:
         """The start state of a problem. Raises NppgError where there is none of this number."""
-        self.forget()
-        start = ask("begin", self.module, alone(number)) if self.has_problems else []
-        if not start:
+        if number not in self.problems or self._problems is None:
             raise self._no_problem(number)
-        return self._loaded.begun(start)
+        return self._problems.state(number)
 
     def with_problems(self, numbers: Iterable[int]) -> Self:
         """The same domain with start states drawn from these problems, each as likely. Raises NppgError for numbers
         that are none."""
-        numbers, known = list(numbers), set(self.problems)
+        numbers = [*map(alone, numbers)]
         for number in numbers:
-            if number not in known:
+            if number not in self.problems:
                 raise self._no_problem(number)
-        chosen = copy.copy(self)
-        chosen.chosen = numbers
-        return chosen
+        other = copy.copy(self)
+        other.chosen = numbers
+        return other
+
+    def over(self, problems: Problems) -> Self:
+        """The same domain with other problems, from which start states are drawn."""
+        other = copy.copy(self)
+        other._problems, other.chosen = problems, list(problems.names)
+        return other
+
+    def problems_of(self, files: Sequence[Path]) -> Problems:
+        """The problems in files. Raises NppgError with every mistake."""
+        found = [problems_in(file, self.module) for file in files]
+        states = [each.state(number) for each in found for number in each.names]
+        return numbered(states, [name for each in found for name in each.names.values()])
+
+    @property
+    def companions(self) -> Mapping[str, bytes]:
+        """The files beside its own that it needs, contents by name."""
+        return {}
 
     def _no_problem(self, number: int) -> NppgError:
-        known = self.problems
+        known = list(self.problems)
         has = f"has problems {known[0]} to {known[-1]}" if known else "has no problems"
         return NppgError([Problem(str(self.path), 0, 0, f"there is no problem {number}; the domain {has}")])
 
@@ -251,6 +237,10 @@ class Domain:
             (action, [Outcome(probability, successor(facts)) for probability, facts in outcomes])
             for action, (_, outcomes) in zip(actions, found, strict=True)
         ]
+
+    def plan_step(self, action: Action) -> str:
+        """An action as a line of a plan: (sail l1 l2)."""
+        return f"({' '.join(map(str, action if isinstance(action, tuple) else (action,)))})"
 
     def picture(self, state: State) -> list[str]:
         """The state drawn for people, line by line."""

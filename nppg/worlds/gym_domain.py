@@ -22,9 +22,11 @@ from nppg.bridge.interrupts import heed_interrupt
 from nppg.bridge.terms import Compound, plain
 from nppg.errors import NppgError, Problem
 from nppg.worlds import gym_values
-from nppg.worlds.domain import Action, Domain, Interpretation, Outcome, Situation, State, named
+from nppg.worlds.domain import Domain, named
 from nppg.worlds.gym_files import bias_text, domain_text
 from nppg.worlds.gym_make import Made, make, told
+from nppg.worlds.state import Interpretation
+from nppg.worlds.world import Action, Outcome, Situation, State
 
 if TYPE_CHECKING:
     from gymnasium import Env, Space
@@ -147,6 +149,9 @@ class GymDomain(Domain):
 
     def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
         raise self._mistake("the outcomes of its actions cannot be listed")
+
+    def certain(self, state: State, action: Action) -> State | None:
+        raise self._mistake("what an action leads to is told when it is taken, not before")
 
     def reward(self, state: State, action: Action) -> float:
         raise self._mistake("its rewards are told when a step is taken, not afterwards")

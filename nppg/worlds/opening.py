@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -14,19 +14,44 @@ from nppg.bridge.files import locate, shipped
 from nppg.errors import NppgError, Problem
 from nppg.worlds.domain import Domain
 from nppg.worlds.gym_domain import GymDomain, open_environment
+from nppg.worlds.pddl_domain import SUFFIX as PDDL
+from nppg.worlds.pddl_domain import PddlDomain, import_domain
+from nppg.worlds.problems import BESIDE, sorted_out
 
 _GYM = "gym:"
 
 
-def open_domain(name_or_path: str | Path, parameters: Mapping[str, int | float | str] | None = None) -> Domain:
-    """The domain of a shipped file's name, of a file, or of gym:ID, an environment of Gymnasium, whose `parameters`
-    are gymnasium.make's arguments. Raises NppgError."""
+def open_domain(
+    name_or_path: str | Path,
+    parameters: Mapping[str, int | float | str] | None = None,
+    problems: Iterable[str | int | Path] = (),
+) -> Domain:
+    """The domain of a shipped file's name, of a file, in PDDL too, or of gym:ID, an environment of Gymnasium, whose
+    `parameters` are gymnasium.make's arguments. `problems` are those that start states are drawn from: numbers, as in
+    "1-20", or files, PDDL's or such as `nppg import` writes. Raises NppgError."""
+    numbers, files = sorted_out(problems)
     if is_environment(name_or_path):
-        return open_environment(str(name_or_path).removeprefix(_GYM), parameters)
-    domain = Domain(name_or_path, parameters)
-    if domain.environment:
-        return GymDomain(name_or_path, parameters)
-    return domain
+        domain: Domain = open_environment(str(name_or_path).removeprefix(_GYM), parameters)
+    elif Path(name_or_path).suffix == PDDL:
+        domain = import_domain(name_or_path, files, parameters)
+        return domain.with_problems(numbers) if numbers else domain
+    else:
+        domain = Domain(name_or_path, parameters)
+        kind = GymDomain if domain.environment else PddlDomain if domain.pddl else Domain
+        domain = domain if kind is Domain else kind(name_or_path, parameters)
+        beside = domain.path.with_name(f"{domain.path.stem}{BESIDE}")
+        if not files and beside.is_file():
+            domain = domain.over(domain.problems_of([beside]))
+    return with_problems(domain, numbers, files)
+
+
+def with_problems(domain: Domain, numbers: Sequence[int], files: Sequence[Path]) -> Domain:
+    """The domain with start states drawn from some of its problems, or from those in files. Raises NppgError."""
+    if (numbers or files) and domain.environment:
+        raise NppgError(f"{domain.path}: an environment of Gymnasium has no problems")
+    if files:
+        return domain.over(domain.problems_of(files))
+    return domain.with_problems(numbers) if numbers else domain
 
 
 def is_environment(name_or_path: str | Path) -> bool:
@@ -34,10 +59,17 @@ def is_environment(name_or_path: str | Path) -> bool:
     return str(name_or_path).startswith(_GYM)
 
 
+def is_generated(name_or_path: str | Path) -> bool:
+    """Whether its domain file is written by nppg: gym:ID, or PDDL."""
+    return is_environment(name_or_path) or Path(name_or_path).suffix == PDDL
+
+
 def language_bias_of(domain: Domain) -> LanguageBias:
     """The language bias that `bias_path` finds. That of an environment is the file beside its domain file, or where
     that is generated the shipped one of the environment's name without its version; else a generated one. Raises
     NppgError."""
+    if isinstance(domain, PddlDomain) and domain.generated:
+        return domain.language_bias()
     if not isinstance(domain, GymDomain):
         return LanguageBias.load(bias_path(domain.path, domain.given))
     own = domain.path.with_suffix(".yaml")

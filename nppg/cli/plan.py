@@ -1,0 +1,56 @@
+"""nppg plan."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from nppg.bridge.files import replacing
+from nppg.cli import loading
+from nppg.cli.arguments import add_acting, add_model, add_parameters
+from nppg.judging.problems import attempt
+
+_STOPPED = {
+    "dead end": "it came to a state without a way on",
+    "loop": "it went round in a loop",
+    "limit": "it came to the limit of steps (see --horizon-factor)",
+}
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The model, the problem, and how actions are chosen."""
+    add_model(parser)
+    parser.add_argument("problem", help="a file of PDDL, or the number of one of the domain's problems")
+    add_parameters(parser)
+    parser.add_argument("--stochastic", action="store_true", help="draw actions by their probabilities")
+    add_acting(parser)
+    parser.add_argument("--seed", type=int, default=0, help="of what is drawn, ties among them (default: 0)")
+    parser.add_argument("--output", type=Path, metavar="FILE", help="write the plan there")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Prints the plan in the format of the planning competition; the status is 1 where none is found, and it is told
+    what stopped the policy. Raises NppgError."""
+    options.problems = [options.problem]
+    policy = loading.policy(options)
+    domain = policy.domain
+    (number,) = domain.chosen[:1]
+    found = attempt(
+        policy,
+        number,
+        options.seed,
+        not options.stochastic,
+        loading.factor(options, policy),
+        not options.no_revisits,
+    )
+    if not found.solved:
+        print(f"no plan: {_STOPPED[found.ended]}, after {found.steps} steps", file=sys.stderr)
+        return 1
+    kind = "general cost" if domain.has_costs else "unit cost"
+    text = "".join(f"{line}\n" for line in (*map(domain.plan_step, found.plan), f"; cost = {found.cost} ({kind})"))
+    if options.output:
+        replacing(options.output, lambda path: path.write_text(text, encoding="utf-8"))
+    else:
+        print(text, end="")
+    return 0

@@ -1,0 +1,92 @@
+"""How a policy does on problems, one by one, and the plans that it finds."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from nppg.learning.episode import Episode, generate_episode
+from nppg.learning.options import at_least
+from nppg.policy.policy import Policy
+from nppg.worlds.state import interpretation_of
+from nppg.worlds.world import Action
+
+SOLVED = "solved"
+DEAD_END = "dead end"
+LOOP = "loop"
+LIMIT = "limit"
+_AGAIN = 3  # an episode that ends at its limit was in a loop if it has been in a state so often
+
+
+@dataclass(frozen=True, slots=True)
+class Attempt:
+    """One episode on a problem: `ended` is solved, or what stopped it: a dead end (or another terminal state), a loop,
+    or the limit of steps. `cost` is that of its actions by the domain's cost/2, else their number; `seconds` are those
+    of acting. `plan`: its actions."""
+
+    problem: int
+    name: str
+    ended: str
+    steps: int
+    cost: float
+    seconds: float
+    plan: tuple[Action, ...]
+
+    @property
+    def solved(self) -> bool:
+        """Whether it reached the goal."""
+        return self.ended == SOLVED
+
+
+def attempt(
+    policy: Policy,
+    problem: int,
+    seed: int = 0,
+    greedy: bool = True,
+    horizon_factor: float = 1.0,
+    revisits: bool = True,
+) -> Attempt:
+    """One episode on the problem of this number, from a generator of its own. Raises NppgError."""
+    domain = policy.domain
+    rng = np.random.default_rng([at_least("seed", seed, 0), problem])
+    start = domain.problem(problem)
+    domain.visit(start)
+    clock = time.perf_counter()
+    episode = generate_episode(
+        policy, rng, greedy=greedy, horizon_factor=horizon_factor, start=start, revisits=revisits
+    )
+    seconds = time.perf_counter() - clock
+    plan = tuple(step.actions[step.chosen] for step in episode.steps)
+    if domain.has_costs:
+        cost = sum(domain.cost(step.actual, action) for step, action in zip(episode.steps, plan, strict=True))
+    else:
+        cost = len(plan)
+    return Attempt(problem, domain.problems[problem], _ended(episode), len(plan), cost, round(seconds, 3), plan)
+
+
+def attempts(
+    policy: Policy,
+    problems: Iterable[int] | None = None,
+    seed: int = 0,
+    greedy: bool = True,
+    horizon_factor: float = 1.0,
+    revisits: bool = True,
+) -> Iterator[Attempt]:
+    """One after the other, on these problems; by default on those that the domain's start states are drawn from, or
+    all of them."""
+    domain = policy.domain
+    for problem in (domain.chosen or domain.problems) if problems is None else problems:
+        yield attempt(policy, problem, seed, greedy, horizon_factor, revisits)
+
+
+def _ended(episode: Episode) -> str:
+    if episode.success:
+        return SOLVED
+    if not episode.open:
+        return DEAD_END
+    met = Counter(interpretation_of(step.actual).fingerprint for step in episode.steps)
+    return LOOP if max(met.values(), default=0) >= _AGAIN else LIMIT

@@ -1,0 +1,105 @@
+"""Domains that come from PDDL: the domain file that it is written as, and PDDL's problems as its start states."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Mapping, Sequence
+from functools import cache, partial
+from pathlib import Path
+
+from nppg.bias.language_bias import LanguageBias
+from nppg.bridge.prolog import ask
+from nppg.errors import NppgError, Problem
+from nppg.pddl.bias_text import bias_text
+from nppg.pddl.domain_text import domain_text
+from nppg.pddl.goals import goal_predicates, unreachable
+from nppg.pddl.model import Domain as Pddl
+from nppg.pddl.model import PlanningProblem
+from nppg.pddl.names import Names, names_of
+from nppg.pddl.problem_data import problem_data
+from nppg.pddl.reader import read_domain, read_problem
+from nppg.worlds.domain import Domain
+from nppg.worlds.problems import Problems
+from nppg.worlds.state import Interpretation, Static
+from nppg.worlds.world import Action
+
+SUFFIX = ".pddl"
+
+
+@cache
+def taken(name: str, arity: int) -> bool:
+    """Whether a predicate of a domain file cannot have this name, since Prolog or nppg has it."""
+    return ask("taken", name, arity) == "true"
+
+
+class PddlDomain(Domain):
+    """A domain file that was written from PDDL, which lies beside it: `pddl` names it."""
+
+    def __init__(
+        self, path: str | Path, parameters: Mapping[str, int | float | str] | None = None, pddl: Pddl | None = None
+    ):
+        super().__init__(path, parameters)
+        self.generated = pddl is not None  # its file, which has no place then
+        self.model = pddl or read_domain(self.path.parent / self.pddl)
+        self.names: Names = names_of(self.model, taken)
+
+    @property
+    def companions(self) -> dict[str, bytes]:
+        return {self.pddl: self.model.source.encode()}
+
+    @property
+    def wanted(self) -> list[str]:
+        """The PDDL predicates of which goal facts of this domain file say what is wanted."""
+        static = {name for name, _ in self.static}
+        return [predicate for predicate, name in self.names.goal.items() if name in static]
+
+    def language_bias(self) -> LanguageBias:
+        """The generated one."""
+        text = bias_text(self.model, self.names, self.wanted)
+        return LanguageBias.parse(text, str(self.path.with_suffix(".yaml")))
+
+    def problems_of(self, files: Sequence[Path]) -> Problems:
+        names = {i: _name(file, files) for i, file in enumerate(files, 1)}
+        if any(file.suffix == ".pl" for file in files):
+            return super().problems_of(files)
+        return Problems(names, partial(self._start, files))
+
+    def _start(self, files: Sequence[Path], number: int) -> Interpretation:
+        """The start state of a problem. Raises NppgError where its goal cannot be reached."""
+        problem = read_problem(files[number - 1], self.model)
+        if messages := unreachable(problem, self.model):
+            raise NppgError(Problem(problem.file, 0, 0, message) for message in messages)
+        data = problem_data(problem, self.model, self.names, self.wanted)
+        return Interpretation(sorted_facts(data.fluents), Static(sorted_facts(data.static)))
+
+    def plan_step(self, action: Action) -> str:
+        """An action as PDDL's plans have it: (sail l1 l2)."""
+        name, *args = action if isinstance(action, tuple) else (action,)
+        own = {prolog: pddl for pddl, prolog in self.names.actions.items()}
+        return f"({' '.join([own[str(name)], *map(str, args)])})"
+
+
+def import_domain(
+    path: str | Path, problems: Sequence[Path] = (), parameters: Mapping[str, int | float | str] | None = None
+) -> PddlDomain:
+    """The domain of a PDDL file, with these problems. Raises NppgError with the mistakes in all files."""
+    pddl = read_domain(path)
+    read: list[PlanningProblem] = []
+    wrong: list[Problem] = []
+    for each in problems:
+        try:
+            read.append(read_problem(each, pddl))
+        except NppgError as error:
+            wrong += error.problems
+    if wrong:
+        raise NppgError(wrong)
+    names = names_of(pddl, taken)
+    text = domain_text(pddl, names, goal_predicates(read, pddl))
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder, f"{module_of(pddl)}.pl")
+        file.write_text(text, encoding="utf-8")
+        domain = PddlDomain(file, parameters, pddl)
+    domain.path = Path(file.name)
+    if not problems:
+        return domain
+    return domain.over(domain.problems_of(list(problems)))

@@ -1,0 +1,103 @@
+"""Problems: start states by number, to be learned on and to be judged by."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Protocol
+
+from nppg.bias.names import written
+from nppg.bridge.prolog import ask
+from nppg.bridge.terms import Ground, ground, texts
+from nppg.errors import NppgError, Problem
+from nppg.worlds.state import NOTHING, Interpretation, Static, interpretation_of
+
+BESIDE = "_problems.pl"  # ends the name of the file with a domain file's problems, which lies beside it
+_KEPT = 100  # start states that are remembered
+
+
+class _Numbered(Protocol):
+    """What has problems: a domain."""
+
+    @property
+    def problems(self) -> Mapping[int, str]: ...
+
+    def problem(self, number: int) -> Sequence[Ground]: ...
+
+
+class Problems:
+    """Start states by number, each with a name; they are read when they are first needed."""
+
+    def __init__(self, names: Mapping[int, str], read: Callable[[int], Interpretation]):
+        self.names = names
+        self._read = read
+        self._known: dict[int, Interpretation] = {}
+
+    def state(self, number: int) -> Interpretation:
+        """The start state of a problem. Raises NppgError for what its file gets wrong."""
+        if number not in self._known:
+            if len(self._known) >= _KEPT:
+                self._known.pop(next(iter(self._known)))
+            self._known[number] = self._read(number)
+        return self._known[number]
+
+
+def numbered(states: Sequence[Interpretation], names: Sequence[str]) -> Problems:
+    """These start states, numbered from 1."""
+    return Problems(dict(enumerate(names, 1)), lambda number: states[number - 1])
+
+
+def problems_in(path: Path, module: str) -> Problems:
+    """The problems of a data file, of terms problem(Name, Facts), for the domain file loaded as `module`. Raises
+    NppgError with every mistake."""
+    names, states = [], []
+    for name, static, facts in ask("problems_in", module, str(path)):
+        names.append(name)
+        states.append(Interpretation(ground(facts), Static(ground(static)) if static else NOTHING))
+    return numbered(states, names)
+
+
+def problems_text(domain: _Numbered) -> str:
+    """The problems of a domain as a data file."""
+    found = ["% Problems: start states by name. They are read as data.\n"]
+    for number, name in domain.problems.items():
+        state = interpretation_of(domain.problem(number))
+        facts = ",\n    ".join(texts((*state.static.facts, *state.facts)))
+        found.append(f"problem({written(name)}, [\n    {facts}\n]).\n")
+    return "\n".join(found)
+
+
+def numbers_of(text: str) -> list[int] | None:
+    """The numbers that a text like 1-20 or 3,5,8-10 lists, None where it is another one."""
+    if not re.fullmatch(r"\d+(-\d+)?(,\d+(-\d+)?)*", text):
+        return None
+    found: list[int] = []
+    for part in text.split(","):
+        first, _, last = part.partition("-")
+        if last and int(last) < int(first):
+            raise NppgError(f"--problems: {part} ends before it begins")
+        found += range(int(first), int(last or first) + 1)
+    return found
+
+
+def sorted_out(given: Iterable[str | int | Path]) -> tuple[list[int], list[Path]]:
+    """The numbers and the files that somebody has chosen. Raises NppgError where these are mixed, or no such file is
+    there."""
+    numbers: list[int] = []
+    files: list[Path] = []
+    for each in given:
+        listed = [each] if isinstance(each, int) else numbers_of(str(each))
+        if listed is None:
+            files.append(Path(each))  # type: ignore[arg-type]
+        else:
+            numbers += listed
+    if numbers and files:
+        raise NppgError(f"problems are chosen by numbers or given as files, not both: {numbers[0]} and {files[0]}")
+    missing = [each for each in files if not each.is_file()]
+    if missing:
+        raise NppgError(
+            Problem(str(each), 0, 0, "is a folder: name its files" if each.is_dir() else "no such file")
+            for each in missing
+        )
+    return numbers, files
