@@ -9,7 +9,7 @@ from nppg.errors import NppgError, Problem
 from nppg.pddl.bodies import Scope, Vocabulary, atom_term, body, number, term, value
 from nppg.pddl.changing import changes
 from nppg.pddl.clauses import Choice, Clause, Infix, Items, Once, Part, Term, Var
-from nppg.pddl.model import Action, Add, Change, Delete, Domain
+from nppg.pddl.model import Action, Add, And, Change, Delete, Domain
 from nppg.pddl.names import COST, REWARD
 from nppg.pddl.outcomes import Conditional, Outcome, outcomes
 
@@ -111,7 +111,7 @@ def _conditional_fact(
 ) -> Clause:
     scope = known.inner()
     scope.declare(part.variables)
-    goals = body(words, part.condition, scope)
+    goals = body(words, And(part.condition), scope)
     assert isinstance(part.effect, Add | Delete)
     kind = "added" if isinstance(part.effect, Add) else "deleted"
     head = Term(words.names.own[kind], (called, *mark, atom_term(words, part.effect.atom, scope)))
@@ -126,7 +126,7 @@ def _conditional_change(
     assert isinstance(change, Change)
     scope = known.inner()
     scope.declare(part.variables)
-    condition = body(words, part.condition, scope)
+    condition = body(words, And(part.condition), scope)
     assigned = change.operator == "assign"
     before, goals = scope.inner(), list[Part]()
     name = words.names.functions[change.target.name]
@@ -210,7 +210,7 @@ def _summed(
             total = _plus(total, change.operator, number(words, change.amount, scope, goals))
             continue
         inner = known.inner()
-        condition = body(words, part.condition, inner)
+        condition = body(words, And(part.condition), inner)
         if any(isinstance(goal, Choice) for goal in condition):
             condition = (Once(condition),)
         more = list[Part]()

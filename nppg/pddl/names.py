@@ -20,7 +20,7 @@ APART = (COST, REWARD)  # functions that are no part of a state
 
 # Names that a language bias has for itself, and operators, which would need brackets.
 _RESERVED = frozenset(
-    [
+    {
         "equal",
         "delta",
         "is",
@@ -55,7 +55,7 @@ _RESERVED = frozenset(
         "true",
         "false",
         "fail",
-    ]
+    }
 )
 _HELPERS = {
     "goals": 1,

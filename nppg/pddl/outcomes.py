@@ -11,7 +11,6 @@ from nppg.errors import NppgError, Problem
 from nppg.pddl.model import (
     Action,
     Add,
-    And,
     Arithmetic,
     Change,
     Delete,
@@ -35,12 +34,12 @@ class Conditional:
 
     effect: Add | Delete | Change
     variables: tuple[Typed, ...] = ()
-    condition: And = And(())
+    condition: tuple[Formula, ...] = ()
 
     @property
     def always(self) -> bool:
         """Whether it happens once, whatever the state."""
-        return not self.variables and not self.condition.parts
+        return not self.variables and not self.condition
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +94,7 @@ def outcomes(domain: Domain, action: Action) -> tuple[Outcome, ...]:
         return replace(
             outcome,
             parts=tuple(
-                Conditional(each.effect, variables + each.variables, And((*condition, *each.condition.parts)))
+                Conditional(each.effect, variables + each.variables, (*condition, *each.condition))
                 for each in outcome.parts
             ),
         )
