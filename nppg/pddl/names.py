@@ -19,44 +19,12 @@ REWARD = "reward"  # what PPDDL's plans earn
 APART = (COST, REWARD)  # functions that are no part of a state
 
 # Names that a language bias has for itself, and operators, which would need brackets.
-_RESERVED = frozenset(
-    {
-        "equal",
-        "delta",
-        "is",
-        "mod",
-        "rem",
-        "div",
-        "divmod",
-        "rdiv",
-        "xor",
-        "as",
-        "dynamic",
-        "discontiguous",
-        "initialization",
-        "meta_predicate",
-        "module_transparent",
-        "multifile",
-        "public",
-        "thread_local",
-        "thread_initialization",
-        "volatile",
-        "table",
-        "tnot",
-        "static",
-        "fluent",
-        "parameter",
-        "interchangeable",
-        "environment",
-        "pddl",
-        "dead_ends",
-        "uniform_start",
-        "holds",
-        "true",
-        "false",
-        "fail",
-    }
+_WORDS = (
+    "equal delta is mod rem div divmod rdiv xor as dynamic discontiguous initialization meta_predicate "
+    "module_transparent multifile public thread_local thread_initialization volatile table tnot static "
+    "fluent parameter interchangeable environment pddl dead_ends uniform_start holds true false fail"
 )
+_RESERVED = frozenset(_WORDS.split())
 _HELPERS = {
     "goals": 1,
     "condition": 1,
