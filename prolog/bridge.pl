@@ -95,7 +95,10 @@ problems_in(Module, File, Problems) :-
 
 taken(Name, Arity, Truth) :-
     functor(Head, Name, Arity),
-    (   ( contract(Name/Arity) ; predicate_property(system:Head, defined) ; predicate_property(nppg_randomness:Head, exported) )
+    (   (   contract(Name/Arity)
+        ;   member(Module, [system, nppg_randomness, nppg_formula]),
+            predicate_property(Module:Head, defined)
+        )
     ->  Truth = true
     ;   Truth = false
     ).

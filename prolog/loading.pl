@@ -7,6 +7,7 @@
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(contract).
 :- use_module(declarations).
+:- use_module(formula, []).
 :- use_module(guard, [stop_for/1]).
 :- use_module(interpretation, [forget/1, forget_tables/1]).
 :- use_module(randomness, []).
@@ -37,6 +38,7 @@ load_domain(File, Parameters, Module, Description) :-
     format(atom(Module), '~w#~d', [Name, Count]),
     reading(Module, Name, File, Parameters, load(File, Module), Heard),
     add_import_module(Module, nppg_randomness, start),
+    add_import_module(Module, nppg_formula, start),
     (   member(Problem, Heard), syntax_error(Problem)
     ->  Mistakes = []                       % what could not be read would be taken for missing
     ;   findall(Problem, mistake(Module, File, Parameters, Problem), Mistakes)

@@ -119,10 +119,11 @@ def _opening(words: Vocabulary, wanted: list[Symbol], does: Features, clauses: l
     ]
     head += [_declaration("table", tabled)] if tabled else []
     comment = _comment(words, wanted)
-    return "\n\n".join([f":- module({written(_module(domain))}, []).", comment, "\n".join(head)])
+    return "\n\n".join([f":- module({written(module_name(domain))}, []).", comment, "\n".join(head)])
 
 
-def _module(domain: Domain) -> str:
+def module_name(domain: Domain) -> str:
+    """What the domain is called in Prolog."""
     name = "".join(char if char.isascii() and char.isalnum() else "_" for char in domain.name).strip("_")
     return name if name[:1].isalpha() else f"domain_{name}".rstrip("_")
 

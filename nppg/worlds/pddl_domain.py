@@ -10,8 +10,7 @@ from pathlib import Path
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.prolog import ask
 from nppg.errors import NppgError, Problem
-from nppg.pddl.bias_text import bias_text
-from nppg.pddl.domain_text import domain_text
+from nppg.pddl.domain_text import domain_text, module_name
 from nppg.pddl.goals import goal_predicates, unreachable
 from nppg.pddl.model import Domain as Pddl
 from nppg.pddl.model import PlanningProblem
@@ -20,7 +19,7 @@ from nppg.pddl.problem_data import problem_data
 from nppg.pddl.reader import read_domain, read_problem
 from nppg.worlds.domain import Domain
 from nppg.worlds.problems import Problems
-from nppg.worlds.state import Interpretation, Static
+from nppg.worlds.state import Interpretation, Static, standard_order
 from nppg.worlds.world import Action
 
 SUFFIX = ".pddl"
@@ -55,11 +54,13 @@ class PddlDomain(Domain):
 
     def language_bias(self) -> LanguageBias:
         """The generated one."""
+        from nppg.pddl.bias_text import bias_text
+
         text = bias_text(self.model, self.names, self.wanted)
         return LanguageBias.parse(text, str(self.path.with_suffix(".yaml")))
 
     def problems_of(self, files: Sequence[Path]) -> Problems:
-        names = {i: _name(file, files) for i, file in enumerate(files, 1)}
+        names = dict(enumerate(_names(files), 1))
         if any(file.suffix == ".pl" for file in files):
             return super().problems_of(files)
         return Problems(names, partial(self._start, files))
@@ -70,13 +71,22 @@ class PddlDomain(Domain):
         if messages := unreachable(problem, self.model):
             raise NppgError(Problem(problem.file, 0, 0, message) for message in messages)
         data = problem_data(problem, self.model, self.names, self.wanted)
-        return Interpretation(sorted_facts(data.fluents), Static(sorted_facts(data.static)))
+        return Interpretation(sorted(data.fluents, key=standard_order), Static(sorted(data.static, key=standard_order)))
 
     def plan_step(self, action: Action) -> str:
         """An action as PDDL's plans have it: (sail l1 l2)."""
         name, *args = action if isinstance(action, tuple) else (action,)
         own = {prolog: pddl for pddl, prolog in self.names.actions.items()}
         return f"({' '.join([own[str(name)], *map(str, args)])})"
+
+
+def _names(files: Sequence[Path]) -> list[str]:
+    """What tells the files apart: their names without suffix, or with their folders where these alone do."""
+    for parts in range(1, max((len(file.parts) for file in files), default=0) + 1):
+        names = ["/".join(file.with_suffix("").parts[-parts:]) for file in files]
+        if len(set(names)) == len(names):
+            break
+    return names
 
 
 def import_domain(
@@ -94,9 +104,9 @@ def import_domain(
     if wrong:
         raise NppgError(wrong)
     names = names_of(pddl, taken)
-    text = domain_text(pddl, names, goal_predicates(read, pddl))
+    text = domain_text(pddl, names, frozenset().union(*(goal_predicates(each, pddl) for each in read)))
     with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder, f"{module_of(pddl)}.pl")
+        file = Path(folder, f"{module_name(pddl)}.pl")
         file.write_text(text, encoding="utf-8")
         domain = PddlDomain(file, parameters, pddl)
     domain.path = Path(file.name)
