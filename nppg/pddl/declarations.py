@@ -58,15 +58,7 @@ def _type_words(document: Document, node: Node) -> tuple[Word, ...]:
         words = node.items[1:]
     else:
         words = [node]
-    return tuple(each for each in words if isinstance(each, Word) and name(document, each, "a type")) or _no_type(
-        document, node
-    )
-
-
-def _no_type(document: Document, node: Node) -> tuple[Word, ...]:
-    if isinstance(node, Group):
-        document.report(node, f"a type or (either t1 t2 ...) is wanted, not {described(node)}")
-    return ()
+    return tuple(each for each in words if name(document, each, "a type") and isinstance(each, Word))
 
 
 def typed(document: Document, types: Types, nodes: Sequence[Node], what: str) -> list[tuple[Node, Typed]]:
