@@ -188,6 +188,11 @@ def test_rewards(tmp_path: Path) -> None:
     assert problem_in(tmp_path, endless, text).goal == Or(())
 
 
+def test_a_predicate_may_be_called_like_a_predeclared_function(tmp_path: Path) -> None:
+    text = "(define (domain d) (:predicates (reward)) (:action win :effect (reward)))"
+    assert domain_in(tmp_path, text).functions == ()
+
+
 def test_derived_predicates(tmp_path: Path) -> None:
     rule = "(:derived (p ?x) (exists (?y - b) (and (q ?y) (not (r)))))"
     (derived,) = domain_in(tmp_path, SMALL.format(rule)).derived
@@ -288,6 +293,7 @@ def test_all_mistakes_come_at_once_and_in_order(tmp_path: Path) -> None:
         ),
         ("(define (problem d))", 1, 1, "a domain is expected, not a problem"),
         ("(define (domain))", 1, 9, "the domain has one name, as in (domain name)"),
+        ("(define (domain ?d))", 1, 17, "a name of a domain is wanted, not '?d'"),
         ("(define (domain d) types)", 1, 20, "a section like (:keyword ...) is wanted, not 'types'"),
     ],
 )
