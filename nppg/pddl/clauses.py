@@ -195,9 +195,14 @@ def _goal(goal: Part, names: Mapping[Var, str], indent: int) -> str:
 
 
 def _wrapped(text: str, margin: int, start: int = 0) -> str:
-    """The text with line breaks behind commas; no name has a space."""
+    """The text with line breaks behind commas, best between lists; no name has a space."""
     lines, width = [], WIDTH - start - 1
-    while len(text) > width and (cut := text.rfind(", ", 0, width)) > 0:
-        lines.append(text[: cut + 1])
-        text, width = text[cut + 2 :], WIDTH - margin - 1
+    while len(text) > width and (cut := _cut(text, width)) > 0:
+        lines.append(text[:cut])
+        text, width = text[cut + 1 :], WIDTH - margin - 1
     return f"\n{' ' * margin}".join([*lines, text])
+
+
+def _cut(text: str, width: int) -> int:
+    between, inside = text.rfind("], ", 0, width) + 2, text.rfind(", ", 0, width) + 1
+    return between if between > width // 3 else inside

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from nppg.bias.names import written
+from nppg.bias.names import atom, written
 from nppg.errors import NppgError, Problem
 from nppg.pddl.bodies import Scope, Vocabulary, body
 from nppg.pddl.changing import changed_functions, derived, fluents
-from nppg.pddl.clauses import Clause, Infix, Negated, Part, Term, Var, clause_text, parts
+from nppg.pddl.clauses import Clause, Infix, Negated, Part, Term, Var, clause_text, parts, variable_name
 from nppg.pddl.effects_text import Features, action_clauses, features
 from nppg.pddl.hierarchy import all_types
 from nppg.pddl.model import OBJECT, Derived, Domain, Exists, Formula, Or, Symbol
@@ -129,14 +130,15 @@ def module_name(domain: Domain) -> str:
 
 
 def _comment(words: Vocabulary, wanted: list[Symbol]) -> str:
-    lines = [f"The PDDL domain {words.domain.name}. What no action changes is static: it belongs to the problem."]
+    names, own = words.names, words.names.own
+    text = f"The PDDL domain {words.domain.name}. What no action changes is static: it belongs to the problem."
     if wanted:
         first = wanted[0]
-        args = ", ".join(each.name.lstrip("?") for each in first.parameters)
-        fact = f"{words.names.goal[first.name]}({args})" if args else words.names.goal[first.name]
-        lines.append(f"Static are also the problem's goals: {fact} says that the goal wants this of {first.name};")
-        lines.append("condition/1 has what a goal wants beyond such facts, and goals/1 how much it wants.")
-    return "\n".join(f"% {line}" for line in lines)
+        args = [variable_name(each.name) for each in first.parameters]
+        now, goal = atom(names.predicates[first.name], args), atom(names.goal[first.name], args)
+        text += f" So do its goals: {goal} says that {now} is wanted, {own['condition']}/1 has what is wanted beyond"
+        text += f" such facts, and {own['goals']}/1 says how many literals that is in all."
+    return "\n".join(f"% {line}" for line in textwrap.wrap(text, _WIDTH - 2))
 
 
 def _indicator(name: str, arity: int) -> str:
@@ -170,7 +172,7 @@ def recursive(domain: Domain) -> set[str]:
     """The derived predicates that ask themselves, if only by way of others."""
     asks: dict[str, set[str]] = {}
     for rule in domain.derived:
-        asks.setdefault(rule.name, set()).update(atom.name for atom in atoms(rule.body))
+        asks.setdefault(rule.name, set()).update(each.name for each in atoms(rule.body))
     for middle in asks:
         for name, asked in asks.items():
             if middle in asked:
@@ -199,8 +201,9 @@ def _end_clauses(words: Vocabulary, wanted: list[Symbol], does: Features) -> Ite
     """The goal, the horizon and the reward."""
     names, own = words.names, words.names.own
     goals: list[Part] = []
+    variables: dict[str, Var] = {}  # the same in several negations, which bind none
     for symbol in wanted:
-        args = tuple(Var(each.name) for each in symbol.parameters)
+        args = tuple(variables.setdefault(each.name, Var(each.name)) for each in symbol.parameters)
         asked = Term(names.predicates[symbol.name], args)
         goals.append(Negated((Term(names.goal[symbol.name], args), Negated((asked,)))))
     formula = Var("Formula")
