@@ -18,7 +18,7 @@
             cost_of/3            % +Module, +Action, -Cost       det
           ]).
 
-:- use_module(library(lists), [member/2, memberchk/2]).
+:- use_module(library(lists), [member/2]).
 :- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
 :- use_module(contract, [declared/2]).
 :- use_module(domain).
@@ -60,10 +60,12 @@ begin(Module, Number, Start) :-
 keep_static(Module, Data, Number) :-
     decode_all(Data, Facts),
     must_be_facts(Module, problem/2, Facts, Static),
-    (   member(Fact, Facts), \+ memberchk(Fact, Static)
+    sort(Facts, All),
+    sort(Static, Sorted),
+    ord_subtract(All, Sorted, Others),
+    (   Others = [Fact|_]
     ->  fault(Module:(problem/2), '~w is not static'-[Fact])
-    ;   sort(Static, Sorted),
-        new_static(Module, Sorted, Number)
+    ;   new_static(Module, Sorted, Number)
     ).
 
 static_of(Module, Number, Data) :-

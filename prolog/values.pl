@@ -23,7 +23,9 @@ must_be_facts(Module, Source, Facts) :-
     ;   fault(Module:Source, 'gave ~w where a list of facts is wanted,'-[Facts])
     ),
     (   member(Fact, Facts), \+ fact(Module, Fact)
-    ->  (   static_fact(Module, Fact)
+    ->  (   callable(Fact),
+            functor(Fact, Name, Arity),
+            declared(Module, nppg_static(Name/Arity))
         ->  fault(Module:Source, 'gave ~w, which is static: no effect can change it,'-[Fact])
         ;   defect(Fact, Defect),
             fault(Module:Source, 'gave ~w, which is no fact of a declared fluent~w,'-[Fact, Defect])
@@ -36,7 +38,8 @@ must_be_facts(Module, Source, Facts) :-
 %   The same for what may have static facts, too; Static are these.
 
 must_be_facts(Module, Source, Facts, Static) :-
-    (   is_list(Facts), declared(Module, nppg_static(_))
+    (   is_list(Facts),
+        predicate_property(Module:nppg_static(_), defined)
     ->  partition(static_fact(Module), Facts, Static, Others)
     ;   Static = [],
         Others = Facts
@@ -46,7 +49,7 @@ must_be_facts(Module, Source, Facts, Static) :-
 static_fact(Module, Fact) :-
     callable(Fact),
     functor(Fact, Name, Arity),
-    declared(Module, nppg_static(Name/Arity)),
+    Module:nppg_static(Name/Arity),
     proper(Fact).
 
 fact(Module, Fact) :-

@@ -10,6 +10,7 @@ from pathlib import Path
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.prolog import ask
 from nppg.errors import NppgError, Problem
+from nppg.pddl.bias_text import bias_text
 from nppg.pddl.domain_text import domain_text, module_name
 from nppg.pddl.goals import goal_predicates, unreachable
 from nppg.pddl.model import Domain as Pddl
@@ -54,8 +55,6 @@ class PddlDomain(Domain):
 
     def language_bias(self) -> LanguageBias:
         """The generated one."""
-        from nppg.pddl.bias_text import bias_text
-
         text = bias_text(self.model, self.names, self.wanted)
         return LanguageBias.parse(text, str(self.path.with_suffix(".yaml")))
 
