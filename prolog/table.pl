@@ -6,7 +6,8 @@
           ]).
 
 :- use_module(library(apply), [exclude/3, foldl/4]).
-:- use_module(library(lists), [append/3, member/2, memberchk/2, nth0/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [append/3, member/2, nth0/3]).
 :- use_module(blame).
 :- use_module(guard, [guarded/3]).
 :- use_module(layout).
@@ -138,14 +139,66 @@ of_kind([Kind|Kinds], [Roots|AllRoots], Wanted, Own) :-
     ),
     of_kind(Kinds, AllRoots, Wanted, Rest).
 
-group_words([], _, _) -->
+group_words(Words, AllRoots, Table) -->
+    group_words(Words, none, none, AllRoots, Table).
+
+group_words([], _, _, _, _) -->
     [].
-group_words([word(Key, Arguments)|Words], AllRoots, Table) -->
-    (   { Arguments == all }
-    ->  answers(AllRoots, Key, Table)
-    ;   answers(AllRoots, Key, Arguments, Table, [])
+group_words([word(Key, Arguments)|Words], Last, Sharing0, AllRoots, Table) -->
+    { (   Arguments == Last
+      ->  Sharing = Sharing0
+      ;   sharing(Arguments, AllRoots, Sharing)
+      ) },
+    shared(Sharing, Key, Table),
+    group_words(Words, Arguments, Sharing, AllRoots, Table).
+
+%   Where many actions agree in the arguments that a group is about, it is asked once for all of them: alike(Roots,
+%   Numbers) has one of each sort, and for every action the number of its sort.
+
+sharing(Arguments, AllRoots, Sharing) :-
+    (   Arguments \== all,
+        projections(AllRoots, Arguments, Keys),
+        sort(Keys, Distinct),
+        length(Distinct, Count),
+        length(Keys, All),
+        2*Count =< All
+    ->  numbered(Distinct, 1, Pairs),
+        list_to_assoc(Pairs, Numbers),
+        functor(Sorts, sorts, Count),
+        numbers(Keys, AllRoots, Numbers, Sorts, Own),
+        Sorts =.. [_|Some],
+        Sharing = alike(Some, Own)
+    ;   Sharing = each(AllRoots)
+    ).
+
+numbered([], _, []).
+numbered([Key|Keys], Number, [Key-Number|Pairs]) :-
+    Next is Number+1,
+    numbered(Keys, Next, Pairs).
+
+numbers([], [], _, _, []).
+numbers([Key|Keys], [Roots|AllRoots], Numbers, Sorts, [Number|Own]) :-
+    get_assoc(Key, Numbers, Number),
+    arg(Number, Sorts, First),
+    (   var(First)
+    ->  First = Roots
+    ;   true
     ),
-    group_words(Words, AllRoots, Table).
+    numbers(Keys, AllRoots, Numbers, Sorts, Own).
+
+shared(each(AllRoots), Key, Table) -->
+    answers(AllRoots, Key, Table).
+shared(alike(Some, Numbers), Key, Table) -->
+    { phrase(answers(Some, Key, Table), Words),
+      Known =.. [known|Words] },
+    known(Numbers, Known).
+
+known([], _) -->
+    [].
+known([Number|Numbers], Known) -->
+    { arg(Number, Known, Word) },
+    [Word],
+    known(Numbers, Known).
 
 answers([], _, _) -->
     [].
@@ -154,21 +207,10 @@ answers([Roots|AllRoots], Key, Table) -->
     [Word],
     answers(AllRoots, Key, Table).
 
-%   A word is asked once for all actions that agree in the arguments that it is about.
-
-answers([], _, _, _, _) -->
-    [].
-answers([Roots|AllRoots], Key, Positions, Table, Asked) -->
-    { projection(Positions, Roots, Values),
-      (   memberchk(Values-Known, Asked)
-      ->  Word = Known,
-          Now = Asked
-      ;   Table:'$row'(Key, Roots, Word),
-          Now = [Values-Word|Asked]
-      )
-    },
-    [Word],
-    answers(AllRoots, Key, Positions, Table, Now).
+projections([], _, []).
+projections([Roots|AllRoots], Positions, [Values|More]) :-
+    projection(Positions, Roots, Values),
+    projections(AllRoots, Positions, More).
 
 projection([], _, []).
 projection([Position|Positions], Roots, [Value|Values]) :-
