@@ -271,9 +271,7 @@ def dice() -> Sample:
         all_of("ready ?d"),
         effects(
             "not ready ?d",
-            Probabilistic(
-                ((0.2, effects("six ?d")), (0.3, effects("lost ?d", Probabilistic(((0.5, Add(atom("mad"))),)))))
-            ),
+            Probabilistic(((0.2, effects("six ?d")), (0.3, effects("lost ?d", maybe_mad)))),
             When(all_of("mad"), Probabilistic(((0.25, effects("not mad")),))),
             Probabilistic(((0.9, effects("ready ?d")),)),
         ),
