@@ -9,6 +9,7 @@
 :- use_module(domain).
 :- use_module(guard).
 :- use_module(interpretation).
+:- use_module(layout, [layout/4]).
 :- use_module(loading).
 :- use_module(model).
 :- use_module(potential).
@@ -151,6 +152,13 @@ tests(Table, Kind, Group, Words, true) :-
 
 answers(Table, Data, [Kinds, Words]) :-
     decode_all(Data, Actions),
+    rows(Table, Actions, Kinds, Words).
+
+%!  answers_legal(+Table, +Serial, -Answers) is det: the same for the legal actions of the current state.
+
+answers_legal(Table, Serial, [Kinds, Words]) :-
+    layout(Table, Module, _, _),
+    legal(Module, Serial, Actions),
     rows(Table, Actions, Kinds, Words).
 
 examples(Table, StateData, ExampleData, true) :-

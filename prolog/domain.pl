@@ -94,12 +94,16 @@ status(Module, Status) :-
 
 %!  actions(+Module, -Actions) is det.
 %
-%   The legal actions of the current state, sorted, so that their order is a function of the state alone.
+%   The legal actions of the current state, sorted, so that their order is a function of the state alone. They are
+%   ground; must_be_actions/3 says whether they are actions.
 
 actions(Module, Actions) :-
     guarded_findall(Action, Module:(action/1), Module:action(Action), Found),
     sort(Found, Actions),
-    must_be_actions(Module, action/1, Actions).
+    (   ground(Actions), acyclic_term(Actions)
+    ->  true
+    ;   must_be_actions(Module, action/1, Actions)
+    ).
 
 experts(Module, Actions) :-
     (   defines(Module, expert/1)

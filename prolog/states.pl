@@ -10,6 +10,9 @@
             observed/2,          % +Module, -Data                det
             horizon_of/2,        % +Module, -Steps               det
             situation/2,         % +Module, -Situation           det
+            legal/3,             % +Module, +Serial, -Actions    det
+            all_legal/3,         % +Module, +Serial, -Data       det
+            nth_legal/4,         % +Module, +Serial, +Number, -Data  det
             expert_actions/2,    % +Module, -Data                det
             neighbours/2,        % +Module, -Answer              det
             act/3,               % +Module, +Action, -Answer     det
@@ -18,7 +21,7 @@
             cost_of/3            % +Module, +Action, -Cost       det
           ]).
 
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [member/2, nth0/3]).
 :- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
 :- use_module(contract, [declared/2]).
 :- use_module(domain).
@@ -26,7 +29,7 @@
 :- use_module(interpretation).
 :- use_module(randomness, [without_draws/1]).
 :- use_module(terms).
-:- use_module(values, [must_be_facts/4]).
+:- use_module(values, [must_be_actions/3, must_be_facts/4]).
 
 /** <module> States, and what leads from one to another
 
@@ -102,7 +105,10 @@ horizon_of(Module, Steps) :-
 has_dead_ends(Module) :-
     declared(Module, nppg_dead_ends).
 
-%!  situation(+Module, -Situation) is det: [Status, Actions] of the current state.
+%!  situation(+Module, -Situation) is det.
+%
+%   [Status, Actions] of the current state; [Status, Count, Serial] where there are many actions, which are kept for who
+%   asks for them under this number.
 
 situation(Module, Situation) :-
     status(Module, Status),
@@ -112,14 +118,45 @@ situation(Module, Status, Situation) :-
     (   Status \== running
     ->  Situation = [Status, []]
     ;   actions(Module, Actions),
-        (   Actions \== []
-        ->  Situation = [Status, Data],
+        length(Actions, Count),
+        (   Count > 100
+        ->  flag(nppg_legal, Serial, Serial+1),
+            nb_setval(nppg_legal, legal(Serial, Actions)),
+            Situation = [Status, Count, Serial]
+        ;   Actions \== []
+        ->  must_be_actions(Module, action/1, Actions),
+            Situation = [Status, Data],
             encode_all(Actions, Data)
         ;   has_dead_ends(Module)
         ->  Situation = [terminal, []]
         ;   fault(Module:(action/1), 'gave no legal action, though the state is neither goal nor terminal and no :- dead_ends are declared,'-[])
         )
     ).
+
+%!  legal(+Module, +Serial, -Actions) is det.
+%
+%   The legal actions of the current state, which is the one of which Serial was given.
+
+legal(Module, Serial, Actions) :-
+    (   nb_current(nppg_legal, legal(Serial, Kept))
+    ->  Actions = Kept
+    ;   actions(Module, Actions)
+    ).
+
+%!  all_legal(+Module, +Serial, -Data) is det.
+
+all_legal(Module, Serial, Data) :-
+    legal(Module, Serial, Actions),
+    must_be_actions(Module, action/1, Actions),
+    encode_all(Actions, Data).
+
+%!  nth_legal(+Module, +Serial, +Number, -Data) is det: one of them, from 0.
+
+nth_legal(Module, Serial, Number, Data) :-
+    legal(Module, Serial, Actions),
+    nth0(Number, Actions, Action),
+    must_be_actions(Module, action/1, [Action]),
+    encode(Action, Data).
 
 expert_actions(Module, Data) :-
     experts(Module, Actions),
@@ -133,6 +170,7 @@ expert_actions(Module, Data) :-
 
 neighbours(Module, [Data, Neighbours]) :-
     actions(Module, Actions),
+    must_be_actions(Module, action/1, Actions),
     interpretation(Module, Current),
     encode_all(Current, Data),
     findall([Encoded, Outcomes],

@@ -21,6 +21,7 @@ from nppg.bridge.terms import encoded, plain
 from nppg.errors import NppgError
 from nppg.logic.query import OPEN, Literal, Query, opened, variables
 from nppg.worlds.domain import Domain
+from nppg.worlds.legal import LegalActions
 from nppg.worlds.world import Action, State
 
 WORD = 60  # tests in one integer: it stays a small one in Prolog
@@ -206,7 +207,10 @@ class TestTable(Table):
 
     def _asked(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         self.domain.visit(state)
-        kinds, words = ask("answers", self.name, plain(actions))
+        if isinstance(actions, LegalActions) and actions.state is state:
+            kinds, words = ask("answers_legal", self.name, actions.serial)
+        else:
+            kinds, words = ask("answers", self.name, plain(actions))
         if len(set(kinds)) == 1:
             return self._groups[kinds[0]].rows(words, len(actions))
         result = np.empty((len(actions), len(self)), float if self.numeric else bool)

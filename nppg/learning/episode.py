@@ -96,6 +96,8 @@ def generate_episode(
     steps: list[Step] = []
     status, actions = domain.situation(state)
     while status == "running" and len(steps) < most:
+        if learning:
+            actions = list(actions)  # while they are at hand
         seen = domain.observe(state, rng)
         answers = policy.answers(seen, actions)
         potentials = policy.potentials_of(answers)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 from nppg.bias.names import atom, written
@@ -21,11 +21,14 @@ _WIDTH = 120
 _QUANTIFIERS = {":adl", ":quantified-preconditions", ":universal-preconditions", ":existential-preconditions"}
 
 
-def domain_text(domain: Domain, names: Names, goal_predicates: Iterable[str]) -> str:
-    """The text of the domain file. `goal_predicates`: those of which a goal fact says what is wanted.
+def domain_text(
+    domain: Domain, names: Names, goal_predicates: Iterable[str], sizes: Mapping[str, float] | None = None
+) -> str:
+    """The text of the domain file. `goal_predicates`: those of which a goal fact says what is wanted; `sizes`: how many
+    facts of a predicate an initial state has.
 
     Raises NppgError for what is not supported, naming it."""
-    words = Vocabulary(domain, names)
+    words = Vocabulary(domain, names, sizes or {})
     wanted = _wanted(domain, goal_predicates)
     does = features(domain)
     sections = [(action.name, action_clauses(words, action, does)) for action in domain.actions]

@@ -19,6 +19,7 @@ from nppg.bridge.plain import alone
 from nppg.bridge.prolog import ask, randomness
 from nppg.bridge.terms import Ground, compounds, ground, plain
 from nppg.errors import NppgError, Problem
+from nppg.worlds.legal import LegalActions
 from nppg.worlds.loaded import Loaded
 from nppg.worlds.problems import Problems, numbered, problems_in
 from nppg.worlds.state import NOTHING, Interpretation, Static, facts_of, interpretation_of, static_of
@@ -172,7 +173,9 @@ class Domain:
     def situation(self, state: State) -> Situation:
         """Whether the state ends an episode, and its legal actions in a fixed order."""
         self.visit(state)
-        status, actions = self._loaded.situation or ask("situation", self.module)
+        status, actions, *serial = self._loaded.situation or ask("situation", self.module)
+        if serial:
+            return Situation(status, LegalActions(self._loaded, state, actions, *serial))
         return Situation(status, compounds(actions))
 
     def horizon(self, state: State) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tempfile
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from functools import cache, partial
 from pathlib import Path
@@ -88,6 +89,12 @@ def _names(files: Sequence[Path]) -> list[str]:
     return names
 
 
+def _sizes(problems: Sequence[PlanningProblem]) -> dict[str, float]:
+    """How many facts of each predicate there are at the start, on average."""
+    counts = Counter(atom.name for each in problems for atom in each.init)
+    return {name: count / len(problems) for name, count in counts.items()}
+
+
 def import_domain(
     path: str | Path, problems: Sequence[Path] = (), parameters: Mapping[str, int | float | str] | None = None
 ) -> PddlDomain:
@@ -103,7 +110,8 @@ def import_domain(
     if wrong:
         raise NppgError(wrong)
     names = names_of(pddl, taken)
-    text = domain_text(pddl, names, frozenset().union(*(goal_predicates(each, pddl) for each in read)))
+    wanted = frozenset().union(*(goal_predicates(each, pddl) for each in read))
+    text = domain_text(pddl, names, wanted, _sizes(read))
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, f"{module_name(pddl)}.pl")
         file.write_text(text, encoding="utf-8")

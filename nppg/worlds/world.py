@@ -22,7 +22,7 @@ class Situation(NamedTuple):
     """
 
     status: str
-    actions: list[Action]
+    actions: Sequence[Action]
 
 
 class Outcome(NamedTuple):
