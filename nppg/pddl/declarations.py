@@ -10,6 +10,7 @@ from nppg.pddl.tokens import Document, Group, Node, Word, described, head
 from nppg.pddl.vocabulary import Types, above
 
 RESERVED = ("and", "or", "not", "imply", "forall", "exists", "when", "probabilistic", "either", "=")
+NO_TYPE = "?"  # stands for a type that is missing or no name, which has been told; it fits with all
 _NAME = re.compile(r"(?!-(?!\d))[\w@.#$%&!~^+*/<>=\[\]{}|-]+")
 
 
@@ -44,6 +45,8 @@ def pairs(document: Document, nodes: Sequence[Node], what: str) -> list[tuple[No
             document.report(node, f"a type of nothing: {what} is wanted before the '-'")
         if index == len(nodes):
             document.report(node, "a type is wanted behind the '-'")
+            found += [(each, (Word(node.at, NO_TYPE),)) for each in waiting]
+            waiting = []
         else:
             types = _type_words(document, nodes[index])
             found += [(each, types) for each in waiting]
@@ -58,15 +61,7 @@ def _type_words(document: Document, node: Node) -> tuple[Word, ...]:
         words = node.items[1:]
     else:
         words = [node]
-    return tuple(each for each in words if isinstance(each, Word) and name(document, each, "a type")) or _no_type(
-        document, node
-    )
-
-
-def _no_type(document: Document, node: Node) -> tuple[Word, ...]:
-    if isinstance(node, Group):
-        document.report(node, f"a type or (either t1 t2 ...) is wanted, not {described(node)}")
-    return ()
+    return tuple(Word(each.at, name(document, each, "a type") or NO_TYPE) for each in words)
 
 
 def typed(document: Document, types: Types, nodes: Sequence[Node], what: str) -> list[tuple[Node, Typed]]:
@@ -75,7 +70,7 @@ def typed(document: Document, types: Types, nodes: Sequence[Node], what: str) ->
     wanted = f"an {what}" if what == "object" else f"a {what}"
     for node, words in pairs(document, nodes, wanted):
         for word in words:
-            if word.text not in types.names:
+            if word.text not in types.names and word.text != NO_TYPE:
                 hint = document.hint(word.text, types.names)
                 document.report(word, f"the type '{word.text}' is not declared{hint}")
         text = _variable(document, node) if what == "variable" else name(document, node, wanted)
@@ -156,7 +151,7 @@ def symbols(document: Document, types: Types, nodes: Sequence[Node], what: str) 
         for word in words:
             if what == "predicate":
                 document.report(word, "a predicate has no type")
-            elif word.text != "number":
+            elif word.text not in ("number", NO_TYPE):
                 document.report(word, f":object-fluents are not supported: a function of type '{word.text}'")
         if head(node) == "=" and what == "predicate":
             continue

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Sequence
 
 from nppg.pddl.declarations import hierarchy, name, objects, symbols, variables
 from nppg.pddl.effects import effect
@@ -47,7 +47,7 @@ def domain_of(document: Document) -> Domain:
     constants = tuple(each for _, each in objects(document, types, _items(found[":constants"]), "constant"))
     predicates = symbols(document, types, _items(found[":predicates"]), "predicate")
     functions = symbols(document, types, _items(found[":functions"]), "function")
-    functions |= _predeclared(functions, required, found[":action"])
+    functions |= _predeclared({*functions, *predicates}, required, found[":action"])
     heads = {head(each.items[1]) for each in found[":derived"] if len(each.items) > 1}
     vocabulary = Vocabulary(
         types, predicates, functions, {each.name: each.types for each in constants}, heads & set(predicates)
@@ -74,9 +74,7 @@ def _items(sections: Sequence[Group]) -> list[Node]:
     return [node for section in sections for node in section.items[1:]]
 
 
-def _predeclared(
-    declared: Mapping[str, Symbol], required: Sequence[str], actions: Sequence[Group]
-) -> dict[str, Symbol]:
+def _predeclared(declared: Collection[str], required: Sequence[str], actions: Sequence[Group]) -> dict[str, Symbol]:
     """The functions that are there without a declaration, where they are required or used."""
     wanted = set()
     if ":action-costs" in required:

@@ -6,13 +6,12 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from nppg.pddl.declarations import variables
-from nppg.pddl.formulas import COMPARISONS, CONNECTIVES, Scope, atom, counted, expression, formula, value
+from nppg.pddl.formulas import CHANGES, Scope, atom, counted, expression, formula, value
 from nppg.pddl.model import Add, Atom, Change, Delete, Each, Effect, Probabilistic, Together, When
 from nppg.pddl.numbers import plain, probability
 from nppg.pddl.tokens import Group, Node, Word, described, head
 
 NOTHING = Together(())
-CHANGES = ("assign", "increase", "decrease", "scale-up", "scale-down")
 ROUNDING = Fraction(1, 10**9)  # what probabilities may sum to above 1
 
 
@@ -63,7 +62,7 @@ def _deletion(node: Group, scope: Scope) -> Effect:
 
 def _changed(node: Group, scope: Scope) -> Atom | None:
     """The atom that is added or deleted; None where a mistake has been reported."""
-    found = atom(node, scope, (*CONNECTIVES, *COMPARISONS, "when", "probabilistic", *CHANGES))
+    found = atom(node, scope, "an effect")
     if found is not None and found.name in scope.vocabulary.derived:
         scope.report(node, f"'{found.name}' is derived: an effect cannot change it")
     return found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from nppg.pddl.declarations import variables
@@ -31,6 +31,8 @@ TRUE = And(())
 COMPARISONS = ("<", "<=", "=", ">=", ">")
 OPERATORS = ("+", "-", "*", "/")
 CONNECTIVES = ("and", "or", "not", "imply", "forall", "exists")
+CHANGES = ("assign", "increase", "decrease", "scale-up", "scale-down")
+WORDS = (*CONNECTIVES, *COMPARISONS, *CHANGES, "when", "probabilistic")
 UNSUPPORTED = {
     "preference": ":preferences",
     "always": ":constraints",
@@ -42,7 +44,6 @@ UNSUPPORTED = {
     "always-within": ":constraints",
     "hold-during": ":constraints",
     "hold-after": ":constraints",
-    "at-start": ":durative-actions",
     "oneof": ":non-deterministic",
     "unknown": ":non-deterministic",
     "is-violated": ":preferences",
@@ -98,7 +99,7 @@ def formula(node: Node, scope: Scope) -> Formula:
         return Forall(declared, part) if key == "forall" else Exists(declared, part)
     if key in COMPARISONS and key not in scope.vocabulary.predicates:
         return _comparison(node, key, scope) if counted(node, 2, scope) else TRUE
-    return atom(node, scope, ("when", "probabilistic", "increase", "decrease", "assign")) or TRUE
+    return atom(node, scope, "a condition") or TRUE
 
 
 def _comparison(node: Group, key: str, scope: Scope) -> Formula:
@@ -126,16 +127,16 @@ def counted(node: Group, count: int, scope: Scope) -> bool:
     return False
 
 
-def atom(node: Group, scope: Scope, misplaced: Collection[str]) -> Atom | None:
-    """The atom of a group, or None where it has a mistake; `misplaced` are words that have another place."""
+def atom(node: Group, scope: Scope, where: str) -> Atom | None:
+    """The atom of a group, or None where it has a mistake, which is reported; `where` it stands is told."""
     key = head(node)
     predicates = scope.vocabulary.predicates
     symbol = predicates.get(key)
     if symbol is None:
         if key in UNSUPPORTED:
             scope.report(node, f"'{key}' is not supported ({UNSUPPORTED[key]})")
-        elif key in misplaced:
-            scope.report(node, f"'{key}' has no place here")
+        elif key in WORDS:
+            scope.report(node, f"'{key}' has no place in {where}")
         elif key in scope.vocabulary.functions:
             scope.report(node, f"'{key}' is a function, not a predicate")
         else:
@@ -229,8 +230,10 @@ def value(node: Node, scope: Scope) -> Value | None:
         scope.report(node, f"'{key}' is not supported ({UNSUPPORTED[key]})")
     elif key in scope.vocabulary.predicates:
         scope.report(node, f"'{key}' is a predicate, not a function")
-    elif not key or key[0] == "?" or (isinstance(node, Word) and not functions):
-        scope.report(node, f"a number is wanted, not {described(node)}")
+    elif isinstance(node, Word) or not key:
+        scope.report(
+            node, f"a number or a function is wanted, not {described(node)}{scope.document.hint(key, functions)}"
+        )
     else:
         scope.report(node, f"unknown function '{key}'{scope.document.hint(key, functions)}")
     return None

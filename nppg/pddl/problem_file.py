@@ -121,12 +121,12 @@ def _init(nodes: Sequence[Node], scope: Scope) -> tuple[tuple[Atom, ...], dict[V
             if len(node.items) != 2 or not isinstance(node.items[1], Group) or not head(node.items[1]):
                 report(node, "'not' has one fact")
             else:
-                atom(node.items[1], scope, ())
+                atom(node.items[1], scope, "a fact")
         elif key == "and":
             more, numbers = _init(node.items[1:], scope)
             facts.update(dict.fromkeys(more))
             values.update(numbers)
-        elif key == "at" or _is_timed(node):
+        elif _is_timed(node):
             report(node, "a timed fact is not supported (:timed-initial-literals)")
         elif key in REFUSED_IN_INIT:
             reason = REFUSED_IN_INIT[key]
@@ -134,8 +134,7 @@ def _init(nodes: Sequence[Node], scope: Scope) -> tuple[tuple[Atom, ...], dict[V
         elif key in scope.vocabulary.functions:
             report(node, f"'{key}' is a function; its value is given like (= ({key} ...) 5)")
         else:
-            hint = scope.document.hint(key, predicates)
-            scope.document.report_once(node, f"unknown predicate '{key}'{hint}")
+            scope.document.report_unknown(node, "predicate", key, predicates)
     return tuple(facts), values
 
 
@@ -163,8 +162,7 @@ def _fact(node: Group, symbol: Symbol, scope: Scope) -> Atom | None:
         if types is None:
             is_right = False
             if isinstance(each, Word):
-                hint = scope.document.hint(text, known)
-                scope.document.report_once(each, f"unknown object '{text}'{hint}")
+                scope.document.report_unknown(each, "object", text, known)
             else:
                 scope.report(each, f"an object is wanted, not {described(each)}")
         elif not fits(types, parameters[index].types):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 
+from nppg.pddl.declarations import name
 from nppg.pddl.tokens import Document, Group, Node, Word, described, head
 
 REQUIREMENTS = (
@@ -80,8 +81,8 @@ def definition(document: Document, kind: str) -> tuple[str, Group, list[Group]]:
     group = found[kind]
     label = group.items[1]
     assert isinstance(label, Group)
-    name = label.items[1] if len(label.items) == 2 else None
-    if not isinstance(name, Word):
+    text = name(document, label.items[1], f"a {kind}") if len(label.items) == 2 else None
+    if len(label.items) != 2:
         document.report(label, f"the {kind} has one name, as in ({kind} name)")
     sections = []
     for each in group.items[2:]:
@@ -89,7 +90,7 @@ def definition(document: Document, kind: str) -> tuple[str, Group, list[Group]]:
             sections.append(each)
         else:
             document.report(each, f"a section like (:keyword ...) is wanted, not {described(each)}")
-    return name.text if isinstance(name, Word) else "", group, sections
+    return text or "", group, sections
 
 
 def by_keyword(

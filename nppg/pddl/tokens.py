@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect
 from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,6 +12,7 @@ from nppg.errors import NppgError, Problem, suggestion
 
 LARGEST = 50_000_000  # bytes of a file
 DEEPEST = 100  # groups within each other, so that recursion over them is safe
+LONGEST = 1_000  # characters of a word
 EFFORT = 20_000  # names that are compared with wrong ones, in all
 SECTIONS = (":action", ":derived", ":predicates", ":functions", ":constants", ":types", ":objects", ":init", ":goal")
 
@@ -44,29 +46,30 @@ class Document:
         self.source = source
         self.problems: set[Problem] = set()
         self._effort = EFFORT
-        self._hints: dict[str, str] = {}
         self._told: set[str] = set()
+        self._lines: list[int] = []
 
     def place(self, at: int) -> tuple[int, int]:
         """Line and column, from 1, of an offset."""
-        return self.source.count("\n", 0, at) + 1, at - self.source.rfind("\n", 0, at)
+        if not self._lines:
+            self._lines = [0, *(match.end() for match in re.finditer("\n", self.source))]
+        line = bisect(self._lines, at)
+        return line, at - self._lines[line - 1] + 1
 
     def report(self, node: Node, message: str) -> None:
         """Notes a problem at a node."""
         self.problems.add(Problem(self.file, *self.place(node.at), message))
 
-    def report_once(self, node: Node, message: str) -> None:
-        """Notes a problem at the first of the nodes that have it."""
-        if message not in self._told:
+    def report_unknown(self, node: Node, what: str, word: str, known: Collection[str]) -> None:
+        """Notes an unknown name at the first of its places, with a near one."""
+        if (message := f"unknown {what} '{word}'") not in self._told:
             self._told.add(message)
-            self.report(node, message)
+            self.report(node, message + self.hint(word, known))
 
     def hint(self, word: str, known: Collection[str]) -> str:
         """A near name as `suggestion` has it, as long as that takes no long time."""
-        if word not in self._hints:
-            self._effort -= len(known)
-            self._hints[word] = suggestion(word, known) if self._effort >= 0 else ""
-        return self._hints[word]
+        self._effort -= len(known)
+        return suggestion(word, known) if self._effort >= 0 else ""
 
     def fail(self, at: int, message: str) -> NppgError:
         """The error to raise where reading cannot go on."""
@@ -101,6 +104,8 @@ class Document:
                 closed = closed if stack else match.start()
             elif first != ";":
                 word = Word(match.start(), token.lower())
+                if not token.isprintable() or len(token) > LONGEST:
+                    raise self._no_word(word)
                 if not stack:
                     raise self._outside(word, closed)
                 if not items:
@@ -120,6 +125,13 @@ class Document:
             return self.fail(word.at, f"not PDDL: a file begins with '(define', not with {text}")
         return self.fail(word.at, f"{text} stands outside of all parentheses")
 
+    def _no_word(self, word: Word) -> NppgError:
+        """The error that a word is which no file has."""
+        if len(word.text) > LONGEST:
+            return self.fail(word.at, f"a word of {len(word.text)} characters, more than {LONGEST}")
+        offset, character = next(each for each in enumerate(word.text) if not each[1].isprintable())
+        return self.fail(word.at + offset, f"the character {character!r} has no place in PDDL")
+
 
 def opened(path: str | Path) -> Document:
     """The document of a file. Raises NppgError where it cannot be read as text."""
@@ -127,9 +139,13 @@ def opened(path: str | Path) -> Document:
     try:
         if Path(path).is_dir():
             raise NppgError([Problem(file, 0, 0, "is a directory, not a PDDL file")])
-        if Path(path).stat().st_size > LARGEST:
+        data = b""
+        size = Path(path).stat().st_size
+        if size <= LARGEST:
+            with open(path, "rb") as stream:
+                data = stream.read(LARGEST + 1)
+        if max(size, len(data)) > LARGEST:
             raise NppgError([Problem(file, 0, 0, f"is larger than {LARGEST // 10**6} MB")])
-        data = Path(path).read_bytes()
     except FileNotFoundError:
         raise NppgError([Problem(file, 0, 0, "no such file")]) from None
     except (OSError, ValueError) as error:

@@ -20,6 +20,7 @@ class Types:
         for name in parents:
             self._above[name] = frozenset(above(parents, name) | {name, OBJECT})
         self._fitting: dict[tuple[tuple[str, ...], tuple[str, ...]], bool] = {}
+        self._overlapping: dict[tuple[tuple[str, ...], tuple[str, ...]], bool] = {}
 
     @property
     def names(self) -> Collection[str]:
@@ -36,9 +37,11 @@ class Types:
 
     def overlap(self, types: tuple[str, ...], wanted: tuple[str, ...]) -> bool:
         """Whether some type is below one of each; also where one is unknown."""
-        if not self._known((types, wanted)):
-            return True
-        return any(over.intersection(types) and over.intersection(wanted) for over in self._above.values())
+        key = types, wanted
+        if key not in self._overlapping:
+            common = (over.intersection(types) and over.intersection(wanted) for over in self._above.values())
+            self._overlapping[key] = not self._known(key) or any(common)
+        return self._overlapping[key]
 
     def _known(self, lists: Sequence[Sequence[str]]) -> bool:
         return all(each in self._above for names in lists for each in names)
