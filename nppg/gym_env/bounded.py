@@ -115,7 +115,7 @@ def most_actions(domain: Domain) -> int:
 def _most_from(domain: Domain, left: int, rng: np.random.Generator) -> int:
     """From one start, with about as many actions taken as are `left`."""
     counts: dict[State, int] = {}
-    queue: list[tuple[int, int, State, list[Action]]] = []
+    queue: list[tuple[int, int, State, Sequence[Action]]] = []
 
     def meet(state: State) -> None:
         if state not in counts:

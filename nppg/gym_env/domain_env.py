@@ -133,7 +133,7 @@ class DomainEnv(gymnasium.Env):
         self.horizon_factor = Options(horizon_factor=horizon_factor).horizon_factor
         self.domain = open_domain(domain, parameters)
         self.state: State = ()
-        self.actions: list[Action] = []
+        self.actions: Sequence[Action] = []
         self._status = ""
         self._steps = self._limit = 0
         self.observation_space: spaces.Space = Facts(self.domain.fluents)

@@ -12,8 +12,7 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 
 from nppg.bias.names import atom
-from nppg.pddl.changing import derived, fluents
-from nppg.pddl.domain_text import symbols_of
+from nppg.pddl.changing import derived, fluents, symbols_of
 from nppg.pddl.hierarchy import above, all_types, common
 from nppg.pddl.model import Action, Atom, Domain, Equal, Formula, Not, Symbol
 from nppg.pddl.names import APART, Names

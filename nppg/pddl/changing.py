@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 
-from nppg.pddl.model import Add, Change, Delete, Domain, Each, Effect, Probabilistic, When
+from nppg.pddl.model import Add, Change, Delete, Domain, Each, Effect, Probabilistic, Symbol, When
 
 
 def _simple_effects(effect: Effect) -> Iterator[Add | Delete | Change]:
@@ -43,3 +43,11 @@ def changed_functions(domain: Domain) -> frozenset[str]:
 def derived(domain: Domain) -> frozenset[str]:
     """The predicates that have rules."""
     return frozenset(rule.name for rule in domain.derived)
+
+
+def symbols_of(domain: Domain) -> list[Symbol]:
+    """The predicates with their parameters, those of rules that are not declared among them."""
+    found = {each.name: each for each in domain.predicates}
+    for rule in domain.derived:
+        found.setdefault(rule.name, Symbol(rule.name, rule.parameters))
+    return list(found.values())

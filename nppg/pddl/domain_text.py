@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Iterable, Iterator, Mapping
-from pathlib import Path
 
-from nppg.bias.names import atom, written
 from nppg.errors import NppgError, Problem
-from nppg.pddl.bodies import Scope, Vocabulary, body
-from nppg.pddl.changing import changed_functions, derived, fluents
-from nppg.pddl.clauses import Clause, Infix, Negated, Part, Term, Var, clause_text, parts, variable_name
+from nppg.pddl.bodies import Vocabulary
+from nppg.pddl.changing import symbols_of
+from nppg.pddl.clauses import Clause, Infix, Negated, Part, Term, Var, clause_text, parts
 from nppg.pddl.effects_text import Features, action_clauses, features
 from nppg.pddl.hierarchy import all_types
-from nppg.pddl.model import OBJECT, Derived, Domain, Exists, Formula, Or, Symbol
-from nppg.pddl.names import APART, Names
-from nppg.pddl.normal import atoms, simplified
+from nppg.pddl.model import OBJECT, Domain, Symbol
+from nppg.pddl.names import Names
+from nppg.pddl.opening_text import opening
+from nppg.pddl.rules_text import rule_clauses
 
-_WIDTH = 120
 _QUANTIFIERS = {":adl", ":quantified-preconditions", ":universal-preconditions", ":existential-preconditions"}
 
 
@@ -31,32 +28,39 @@ def domain_text(
     words = Vocabulary(domain, names, sizes or {})
     wanted = _wanted(domain, goal_predicates)
     does = features(domain)
-    sections = [(action.name, action_clauses(words, action, does)) for action in domain.actions]
-    rules = [clause for rule in domain.derived for clause in _rule_clauses(words, rule)]
-    sections_text = [_section(name, clauses) for name, clauses in sections]
-    if rules:
-        sections_text.insert(0, "\n".join(map(clause_text, rules)))
-    sections_text.append("\n".join(map(clause_text, _end_clauses(words, wanted, does))))
+    rules, actions = _rules(words), _actions(words, does)
+    clauses = [*rules, *(clause for group in actions.values() for clause in group)]
+    sections = [opening(words, wanted, does, clauses, _has_object(words, clauses))]
+    sections += ["\n".join(map(clause_text, rules))] if rules else []
+    sections += [_section(name, group) for name, group in actions.items()]
+    sections.append("\n".join(map(clause_text, _end_clauses(words, wanted, does))))
     if wanted:
-        sections_text.append(_section("what is left to do, and what is done", _versions(words, wanted)))
-    clauses = [*rules, *(clause for _, group in sections for clause in group)]
-    return "\n\n".join([_opening(words, wanted, does, clauses), *sections_text]) + "\n"
+        sections.append(_section("what is left to do, and what is done", _versions(words, wanted)))
+    return "\n\n".join(sections) + "\n"
 
 
 def declares_object(domain: Domain, names: Names) -> bool:
-    """Whether the domain file has facts of which all objects there are: where something in it ranges over them."""
-    if not all_types(domain) or _QUANTIFIERS & set(domain.requirements):
-        return True
+    """Whether the domain file has facts of which all objects there are: where something in it, or a goal, may range
+    over them."""
     words = Vocabulary(domain, names)
-    does = features(domain)
-    clauses = [clause for action in domain.actions for clause in action_clauses(words, action, does)]
-    clauses += [clause for rule in domain.derived for clause in _rule_clauses(words, rule)]
-    return _asks_object(names, clauses)
+    actions = _actions(words, features(domain))
+    return _has_object(words, [*_rules(words), *(clause for group in actions.values() for clause in group)])
 
 
-def _asks_object(names: Names, clauses: Iterable[Clause]) -> bool:
+def _rules(words: Vocabulary) -> list[Clause]:
+    return [clause for rule in words.domain.derived for clause in rule_clauses(words, rule)]
+
+
+def _actions(words: Vocabulary, does: Features) -> dict[str, list[Clause]]:
+    return {action.name: action_clauses(words, action, does) for action in words.domain.actions}
+
+
+def _has_object(words: Vocabulary, clauses: Iterable[Clause]) -> bool:
+    if not all_types(words.domain) or _QUANTIFIERS & set(words.domain.requirements):
+        return True
+    asked = words.names.types[OBJECT]
     return any(
-        isinstance(part, Term) and part.name == names.types[OBJECT] and len(part.args) == 1
+        isinstance(part, Term) and part.name == asked and len(part.args) == 1
         for clause in clauses
         for part in parts(clause)
     )
@@ -72,132 +76,8 @@ def _wanted(domain: Domain, goal_predicates: Iterable[str]) -> list[Symbol]:
     return [each for each in symbols if each.name in chosen]
 
 
-def symbols_of(domain: Domain) -> list[Symbol]:
-    """The predicates with their parameters, those of rules that are not declared among them."""
-    found = {each.name: each for each in domain.predicates}
-    for rule in domain.derived:
-        found.setdefault(rule.name, Symbol(rule.name, rule.parameters))
-    return list(found.values())
-
-
 def _section(title: str, clauses: Iterable[Clause]) -> str:
     return "\n".join([f"% {title}", *map(clause_text, clauses)])
-
-
-def _opening(words: Vocabulary, wanted: list[Symbol], does: Features, clauses: list[Clause]) -> str:
-    """The head of the file and its declarations."""
-    domain, names = words.domain, words.names
-    changing, ruled = fluents(domain), derived(domain)
-    static = [
-        _indicator(names.predicates[each.name], len(each.parameters))
-        for each in symbols_of(domain)
-        if each.name not in changing | ruled
-    ]
-    fluent = [
-        _indicator(names.predicates[each.name], len(each.parameters))
-        for each in symbols_of(domain)
-        if each.name in changing
-    ]
-    for function in domain.functions:
-        if function.name not in APART:
-            group = fluent if function.name in changed_functions(domain) else static
-            group.append(_indicator(names.functions[function.name], len(function.parameters) + 1))
-    types = [*all_types(domain)]
-    if declares_object(domain, names):
-        types.append(OBJECT)
-    static = [_indicator(names.types[type_], 1) for type_ in types] + static
-    static += [_indicator(names.goal[each.name], len(each.parameters)) for each in wanted]
-    static += [f"{names.own['goals']}/1", f"{names.own['condition']}/1"]
-    if does.reward:
-        static.append(f"{names.own['goal_reward']}/1")
-        fluent.append(f"{names.own['gained']}/1")
-    head = [f":- pddl({written(Path(domain.file).name)}).", _declaration("static", static)]
-    head += [_declaration("fluent", fluent)] if fluent else []
-    head.append(":- dead_ends.")
-    apart = _apart(clauses)
-    head += [_declaration("discontiguous", apart)] if apart else []
-    tabled = [
-        _indicator(names.predicates[each.name], len(each.parameters))
-        for each in symbols_of(domain)
-        if each.name in recursive(domain)
-    ]
-    head += [_declaration("table", tabled)] if tabled else []
-    comment = _comment(words, wanted)
-    return "\n\n".join([f":- module({written(module_name(domain))}, []).", comment, "\n".join(head)])
-
-
-def module_name(domain: Domain) -> str:
-    """What the domain is called in Prolog."""
-    name = "".join(char if char.isascii() and char.isalnum() else "_" for char in domain.name).strip("_")
-    return name if name[:1].isalpha() else f"domain_{name}".rstrip("_")
-
-
-def _comment(words: Vocabulary, wanted: list[Symbol]) -> str:
-    names, own = words.names, words.names.own
-    text = f"The PDDL domain {words.domain.name}. What no action changes is static: it belongs to the problem."
-    if wanted:
-        first = wanted[0]
-        args = [variable_name(each.name) for each in first.parameters]
-        now, goal = atom(names.predicates[first.name], args), atom(names.goal[first.name], args)
-        text += f" So do its goals: {goal} says that {now} is wanted, {own['condition']}/1 has what is wanted beyond"
-        text += f" such facts, and {own['goals']}/1 says how many literals that is in all."
-    return "\n".join(f"% {line}" for line in textwrap.wrap(text, _WIDTH - 2))
-
-
-def _indicator(name: str, arity: int) -> str:
-    return f"{name}/{arity}"
-
-
-def _declaration(kind: str, indicators: Iterable[str]) -> str:
-    """A directive, with line breaks where it is long."""
-    lines = [f":- {kind} "]
-    for indicator in indicators:
-        if len(lines[-1]) + len(indicator) + 2 > _WIDTH:
-            lines.append("     ")
-        lines[-1] += f"{indicator}, "
-    return "\n".join(line.rstrip() for line in lines).removesuffix(",") + "."
-
-
-def _apart(clauses: Iterable[Clause]) -> list[str]:
-    """The predicates whose clauses do not stand together."""
-    last, closed, apart = "", set[str](), dict[str, None]()
-    for clause in clauses:
-        assert isinstance(clause.head, Term)
-        indicator = _indicator(str(clause.head.name), len(clause.head.args))
-        if indicator != last and indicator in closed:
-            apart[indicator] = None
-        closed.add(indicator)
-        last = indicator
-    return list(apart)
-
-
-def recursive(domain: Domain) -> set[str]:
-    """The derived predicates that ask themselves, if only by way of others."""
-    asks: dict[str, set[str]] = {}
-    for rule in domain.derived:
-        asks.setdefault(rule.name, set()).update(each.name for each in atoms(rule.body))
-    for middle in asks:
-        for name, asked in asks.items():
-            if middle in asked:
-                asks[name] = asked | asks[middle]
-    return {name for name, asked in asks.items() if name in asked}
-
-
-def _rule_clauses(words: Vocabulary, rule: Derived) -> Iterator[Clause]:
-    """A clause for each alternative of a rule's body."""
-    for alternative in _alternatives(simplified(rule.body)):
-        scope = Scope()
-        args = scope.declare(rule.parameters)
-        goals = body(words, alternative, scope, inline=True)
-        yield Clause(Term(words.names.predicates[rule.name], tuple(args)), goals)
-
-
-def _alternatives(formula: Formula) -> list[Formula]:
-    if isinstance(formula, Or):
-        return [inner for part in formula.parts for inner in _alternatives(part)]
-    if isinstance(formula, Exists):
-        return [Exists(formula.variables, inner) for inner in _alternatives(formula.part)]
-    return [formula]
 
 
 def _end_clauses(words: Vocabulary, wanted: list[Symbol], does: Features) -> Iterator[Clause]:

@@ -79,11 +79,12 @@ def _outcome_clauses(
         deleted.append(old)
         added.append(new)
         helpers += more
-    lists = []
+    helpers.sort(key=lambda each: each.head.name == own["added"])  # type: ignore[union-attr]
+    lists, fact = [], Var("Fact")
     for kind, facts in (("deleted", deleted), ("added", added)):
         rest = None
         if any(each.head.name == own[kind] for each in helpers):  # type: ignore[union-attr]
-            rest, fact = Var("Delete" if kind == "deleted" else "Add"), Var("Fact")
+            rest = Var("Delete" if kind == "deleted" else "Add")
             goals.append(Term("findall", (fact, Term(own[kind], (called, *mark, fact)), rest)))
         lists.append(Items(tuple(dict.fromkeys(facts)), rest))
     chance = (Term(_plain(float(outcome.probability))),) if features.chance else ()
@@ -222,14 +223,15 @@ def _summed(
     if helpers:
         amount, more_amount = Var("Amount"), Var("More")
         goals.append(Term("aggregate_all", (Term("sum", (amount,)), Term(own, (called, *mark, amount)), more_amount)))
-        total = _plus(total, "increase", more_amount)
+        total = _plus(more_amount, "increase", total) if total != Term(0) else more_amount
     return total, helpers
 
 
 def _plus(total: Part, operator: str, amount: Part) -> Part:
     zero = total == Term(0)
-    if operator == "increase":
-        return amount if zero else Infix("+", total, amount)
-    if isinstance(amount, Term) and zero and not isinstance(amount.name, str):
-        return Term(-amount.name)
-    return Infix("-", total, amount)
+    negated = Term(-amount.name) if isinstance(amount, Term) and not isinstance(amount.name, str) else None
+    if zero:
+        return amount if operator == "increase" else negated or Infix("-", total, amount)
+    if operator == "increase" and negated and negated.name > 0:  # type: ignore[operator]
+        return Infix("-", total, negated)
+    return Infix("+" if operator == "increase" else "-", total, amount)

@@ -17,6 +17,7 @@ from nppg.pddl.model import (
     Domain,
     Each,
     Effect,
+    Expression,
     Formula,
     Probabilistic,
     Together,
@@ -115,13 +116,19 @@ def _united(parts: tuple[Conditional, ...]) -> tuple[Conditional, ...]:
         if part.always and isinstance(change, Change) and change.operator in ("increase", "decrease"):
             if change.target in amounts:
                 operator, amount = amounts[change.target].operator, amounts[change.target].amount
-                united = Arithmetic("+" if change.operator == operator else "-", (amount, change.amount))
-                amounts[change.target] = Change(operator, change.target, united)
+                sign = "+" if change.operator == operator else "-"
+                amounts[change.target] = Change(operator, change.target, _combined(sign, amount, change.amount))
             else:
                 amounts[change.target] = change
         else:
             others.append(part)
     return (*others, *map(Conditional, amounts.values()))
+
+
+def _combined(sign: str, one: Expression, other: Expression) -> Expression:
+    if isinstance(one, int) and isinstance(other, int):
+        return one + other if sign == "+" else one - other
+    return Arithmetic(sign, (one, other))
 
 
 def _meeting(parts: tuple[Conditional, ...]) -> str:

@@ -12,11 +12,12 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.prolog import ask
 from nppg.errors import NppgError, Problem
 from nppg.pddl.bias_text import bias_text
-from nppg.pddl.domain_text import domain_text, module_name
+from nppg.pddl.domain_text import domain_text
 from nppg.pddl.goals import goal_predicates, unreachable
 from nppg.pddl.model import Domain as Pddl
 from nppg.pddl.model import PlanningProblem
 from nppg.pddl.names import Names, names_of
+from nppg.pddl.opening_text import module_name
 from nppg.pddl.problem_data import problem_data
 from nppg.pddl.reader import read_domain, read_problem
 from nppg.worlds.domain import Domain
