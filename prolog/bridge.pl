@@ -16,6 +16,7 @@
 :- use_module(problem_file).
 :- use_module(query_pack).
 :- use_module(report, [problems/2]).
+:- use_module(rule_list).
 :- use_module(state_text).
 :- use_module(states).
 :- use_module(table).
@@ -177,6 +178,7 @@ policy(Module, Signatures, Policy) :-
     new_policy(Module, Signatures, Policy).
 
 policy_drop(Policy, true) :-
+    forget_rules(Policy),
     drop_policy(Policy).
 
 tree(Policy, Clauses, true) :-
@@ -184,6 +186,12 @@ tree(Policy, Clauses, true) :-
 
 potentials(Policy, Data, Potentials) :-
     findall(Potential, ( member(Encoded, Data), decode(Encoded, Action), potential(Policy, Action, Potential) ), Potentials).
+
+%!  preferred_actions(+Policy, -Data) is det: of a policy of one tree, the best legal actions in the current state.
+
+preferred_actions(Policy, Data) :-
+    preferred(Policy, Actions),
+    encode_all(Actions, Data).
 
 rules(Policy, Tree, Texts) :-
     signatures(Policy, Signatures),

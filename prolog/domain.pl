@@ -5,6 +5,7 @@
             cost/3,              % +Module, +Action, -Cost       det
             status/2,            % +Module, -Status              det
             actions/2,           % +Module, -Actions             det
+            some_action/1,       % +Module                       semidet
             experts/2,           % +Module, -Actions             det
             observation/2,       % +Module, -Facts               det
             picture/2,           % +Module, -Lines               det
@@ -104,6 +105,13 @@ actions(Module, Actions) :-
     ->  true
     ;   must_be_actions(Module, action/1, Actions)
     ).
+
+%!  some_action(+Module) is semidet.
+%
+%   Whether the current state has a legal action.
+
+some_action(Module) :-
+    guarded(Module:(action/1), Module:action(_)).
 
 experts(Module, Actions) :-
     (   defines(Module, expert/1)

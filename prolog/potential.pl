@@ -1,6 +1,7 @@
 :- module(nppg_potential,
           [ new_policy/3,        % +Module, +Signatures, -Policy       det
             signatures/2,        % +Policy, -Signatures                det
+            module_of/2,         % +Policy, -Module                    det
             drop_policy/1,       % +Policy                             det
             add_tree/2,          % +Policy, +Clauses                   det
             potential/3,         % +Policy, +Action, -Potential        det
@@ -17,7 +18,7 @@ are already multiplied by the tree's step size, so the potential of an action in
 sum of the first answers, Psi(s, a) = delta(1, a) + ... + delta(M, a), added in this order.
 */
 
-:- dynamic policies/1, size/2, signatures/2.
+:- dynamic policies/1, size/2, signatures/2, module_of/2.
 policies(0).
 
 %!  new_policy(+Module, +Signatures, -Policy) is det.
@@ -32,10 +33,12 @@ new_policy(Module, Signatures, Policy) :-
     add_import_module(Policy, Module, start),
     dynamic(Policy:(delta/3)),
     assertz(size(Policy, 0)),
+    assertz(module_of(Policy, Module)),
     assertz(signatures(Policy, Signatures)).
 
 drop_policy(Policy) :-
     retractall(size(Policy, _)),
+    retractall(module_of(Policy, _)),
     retractall(signatures(Policy, _)),
     retractall(Policy:delta(_, _, _)).
 

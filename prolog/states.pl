@@ -10,12 +10,13 @@
             observed/2,          % +Module, -Data                det
             horizon_of/2,        % +Module, -Steps               det
             situation/2,         % +Module, -Situation           det
+            situation/3,         % +Module, +Lean, -Situation    det
             legal/3,             % +Module, +Serial, -Actions    det
             all_legal/3,         % +Module, +Serial, -Data       det
             nth_legal/4,         % +Module, +Serial, +Number, -Data  det
             expert_actions/2,    % +Module, -Data                det
             neighbours/2,        % +Module, -Answer              det
-            act/3,               % +Module, +Action, -Answer     det
+            act/4,               % +Module, +Lean, +Action, -Answer  det
             certain/3,           % +Module, +Action, -Change     det
             reward_of/3,         % +Module, +Action, -Reward     det
             cost_of/3            % +Module, +Action, -Cost       det
@@ -111,12 +112,21 @@ has_dead_ends(Module) :-
 %   asks for them under this number.
 
 situation(Module, Situation) :-
-    status(Module, Status),
-    situation(Module, Status, Situation).
+    situation(Module, false, Situation).
 
-situation(Module, Status, Situation) :-
+%!  situation(+Module, +Lean, -Situation) is det.
+%
+%   The same; where Lean is true, the actions stay unknown: [Status, -1, -1].
+
+situation(Module, Lean, Situation) :-
+    status(Module, Status),
+    situation(Module, Lean, Status, Situation).
+
+situation(Module, Lean, Status, Situation) :-
     (   Status \== running
     ->  Situation = [Status, []]
+    ;   Lean == true, some_action(Module)
+    ->  Situation = [Status, -1, -1]
     ;   actions(Module, Actions),
         length(Actions, Count),
         (   Count > 100
@@ -207,12 +217,12 @@ encode_change(>, Fact, Facts, _, More, Number, Data, Rest) :-
     Next is Number+1,
     encode_change([Fact|Facts], More, Next, [Data|Rest]).
 
-%!  act(+Module, +Action, -Answer) is det.
+%!  act(+Module, +Lean, +Action, -Answer) is det.
 %
 %   Takes an action in the current state: [Reward, Gone, New, Situation] for the state that it leads to, which differs in
 %   these facts. Situation is [] where asking for it goes wrong, which is to be heard only by who does ask.
 
-act(Module, ActionData, [Reward, GoneData, NewData, Situation]) :-
+act(Module, Lean, ActionData, [Reward, GoneData, NewData, Situation]) :-
     decode(ActionData, Action),
     outcomes(Module, Action, Outcomes),
     chosen(Outcomes, change(Gone, New)),
@@ -221,7 +231,7 @@ act(Module, ActionData, [Reward, GoneData, NewData, Situation]) :-
     reward(Module, Action, Status, Reward),
     encode_all(Gone, GoneData),
     encode_all(New, NewData),
-    (   catch(without_draws(situation(Module, Status, Found)), nppg_fault(_, _), fail)
+    (   catch(without_draws(situation(Module, Lean, Status, Found)), nppg_fault(_, _), fail)
     ->  Situation = Found
     ;   Situation = []
     ).

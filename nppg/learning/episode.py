@@ -18,6 +18,7 @@ from nppg.worlds.state import interpretation_of
 from nppg.worlds.world import Action, State, World
 
 IDLE = 1000  # episodes in a row without a step, after which there is nothing to wait for
+_NOTHING = np.empty(0)
 _ROUNDING = Fraction(1, 10**12)  # what is so near to a whole number, relatively, is one
 
 
@@ -25,7 +26,8 @@ _ROUNDING = Fraction(1, 10**12)  # what is so near to a whole number, relatively
 class Step:
     """A state as the policy sees it, with its legal actions, the answers to the policy's tests about them (shape
     (actions, tests)), their potentials and probabilities, the index of the action taken, and the reward; the state as
-    it is; and whether the domain's expert, who sees it so, chose the action."""
+    it is; and whether the domain's expert, who sees it so, chose the action. Where a list of rules was asked for the
+    best actions alone, the actions are these, and nothing was answered: the arrays are empty."""
 
     state: State
     actions: Sequence[Action]
@@ -94,28 +96,34 @@ def generate_episode(
     met = None if revisits else {interpretation_of(state).fingerprint}
     most = longest(domain.horizon(state), horizon_factor)
     steps: list[Step] = []
-    status, actions = domain.situation(state)
+    lean = greedy and revisits and not (guided or learning or policy.domain.has_observation) and policy.is_rules
+    status, actions = domain.situation(state, lean)
     while status == "running" and len(steps) < most:
-        if learning:
-            actions = list(actions)  # while they are at hand
         seen = domain.observe(state, rng)
-        answers = policy.answers(seen, actions)
-        potentials = policy.potentials_of(answers)
-        probabilities = policy.probabilities_of(potentials)
-        advice = [each for each in domain.expert_actions(state) if each in actions] if guided else []
+        advice: list[Action] = []
+        if lean:
+            actions, answers, potentials, probabilities = policy.preferred(seen), _NOTHING, _NOTHING, _NOTHING
+            chosen = int(rng.random() * len(actions))
+        else:
+            if learning:
+                actions = list(actions)  # while they are at hand
+            answers = policy.answers(seen, actions)
+            potentials = policy.potentials_of(answers)
+            probabilities = policy.probabilities_of(potentials)
+            advice = [each for each in domain.expert_actions(state) if each in actions] if guided else []
         if advice:
             chosen = actions.index(advice[int(rng.random() * len(advice))])
-        else:
+        elif not lean:
             chosen = choose_best(potentials, rng) if greedy else choose(probabilities, rng)
-            if met is not None:
-                weights = potentials if greedy else probabilities
-                chosen = _leading_on(domain, state, actions, weights, chosen, met, greedy, rng)
-        reward, following = domain.act(state, actions[chosen], rng)
+        if met is not None and not advice:
+            weights = potentials if greedy else probabilities
+            chosen = _leading_on(domain, state, actions, weights, chosen, met, greedy, rng)
+        reward, following = domain.act(state, actions[chosen], rng, lean)
         steps.append(Step(seen, actions, answers, potentials, probabilities, chosen, reward, state, bool(advice)))
         state = following
         if met is not None:
             met.add(interpretation_of(state).fingerprint)
-        status, actions = domain.situation(state)
+        status, actions = domain.situation(state, lean)
     return Episode(tuple(steps), domain.observe(state, rng), actions, status == "goal", state)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from importlib.metadata import entry_points
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -13,12 +14,12 @@ from nppg.answers.coverage import table_of
 from nppg.answers.table import Table, TestTable
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.prolog import ask, drop_with
-from nppg.bridge.terms import Ground, plain
+from nppg.bridge.terms import Ground, compounds, plain
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.logic.query import Var
 from nppg.policy import model
 from nppg.policy.forest import Forest
-from nppg.policy.gibbs import best, gibbs
+from nppg.policy.gibbs import TIE, best, gibbs
 from nppg.trees.clauses import to_clause
 from nppg.trees.tree import Tree, leaves, mapped, rules, tests
 from nppg.worlds.domain import Domain
@@ -94,6 +95,21 @@ class Policy:
     def probabilities_of(self, potentials: np.ndarray) -> np.ndarray:
         """pi(s, a), with which it takes the actions of a state that have these potentials, shape (actions,)."""
         return gibbs(potentials)
+
+    @property
+    def is_rules(self) -> bool:
+        """Whether it is one tree whose values are apart: a list of rules, of which the best one that some legal action
+        meets can be found without scoring all actions."""
+        if len(self.trees) != 1 or self.domain.environment or type(self) is not Policy:
+            return False
+        values = sorted({rule.value for rule in rules(self.trees[0])})
+        least = 2 * TIE * max(map(abs, values))
+        return all(higher - lower > least for lower, higher in pairwise(values))
+
+    def preferred(self, state: State) -> list[Action]:
+        """The legal actions of the highest potential, of a policy that `is_rules`."""
+        self.domain.visit(state)
+        return compounds(ask("preferred_actions", self.name))
 
     def prolog_potentials(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """Psi(s, a) summed clause by clause in Prolog."""

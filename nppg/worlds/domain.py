@@ -170,10 +170,11 @@ class Domain:
         has = f"has problems {known[0]} to {known[-1]}" if known else "has no problems"
         return NppgError([Problem(str(self.path), 0, 0, f"there is no problem {number}; the domain {has}")])
 
-    def situation(self, state: State) -> Situation:
-        """Whether the state ends an episode, and its legal actions in a fixed order."""
+    def situation(self, state: State, lean: bool = False) -> Situation:
+        """Whether the state ends an episode, and its legal actions in a fixed order; if it is to be `lean`, these are
+        found when they are asked for."""
         self.visit(state)
-        status, actions, *serial = self._loaded.situation or ask("situation", self.module)
+        status, actions, *serial = self._loaded.situation or ask("situation", self.module, lean)
         if serial:
             return Situation(status, LegalActions(self._loaded, state, actions, *serial))
         return Situation(status, compounds(actions))
@@ -197,15 +198,15 @@ class Domain:
         self.visit(state)
         return compounds(ask("expert_actions", self.module))
 
-    def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]:
+    def act(self, state: State, action: Action, rng: np.random.Generator, lean: bool = False) -> tuple[float, State]:
         """Takes an action: the reward, and the state that it leads to.
 
-        Nearly always that state's situation is asked for next: Prolog brings it along."""
+        Nearly always that state's situation is asked for next: Prolog brings it along, `lean` or not."""
         self.visit(state)
         self.forget()
         before = interpretation_of(state)
         with randomness(rng):
-            reward, gone, new, self._loaded.situation = ask("act", self.module, *plain([action]))
+            reward, gone, new, self._loaded.situation = ask("act", self.module, lean, *plain([action]))
         self._loaded.current = following = before.changed(ground(gone), ground(new))
         return reward, following
 

@@ -109,7 +109,7 @@ class GymDomain(Domain):
             raise self._mistake(unfit) from None
         return self._state
 
-    def situation(self, state: State) -> Situation:
+    def situation(self, state: State, lean: bool = False) -> Situation:
         """`terminal` once the environment has terminated the episode, else its actions, or those that its mask allows;
         `truncated` with those that there would be, once the environment itself has cut the episode off."""
         if state is not self._state and state != self._state:
@@ -123,7 +123,7 @@ class GymDomain(Domain):
     def expert_actions(self, state: State) -> list[Action]:
         return super().expert_actions(state) if self.has_expert else []
 
-    def act(self, state: State, action: Action, rng: np.random.Generator) -> tuple[float, State]:
+    def act(self, state: State, action: Action, rng: np.random.Generator, lean: bool = False) -> tuple[float, State]:
         """Takes a step in the environment, whose randomness comes from the seed of its start."""
         if state is not self._state and state != self._state:
             raise self._mistake(_ELSEWHERE)

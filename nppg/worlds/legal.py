@@ -13,7 +13,7 @@ from nppg.worlds.world import Action, State
 
 class LegalActions(Sequence[Action]):
     """The legal actions of a state in a loaded domain file. `serial`: under which Prolog may still keep them, the state
-    being current."""
+    being current. `count`: how many there are, -1 where that is not known."""
 
     def __init__(self, loaded: Loaded, state: State, count: int, serial: int):
         self.state = state
@@ -34,14 +34,14 @@ class LegalActions(Sequence[Action]):
         return self._all
 
     def __len__(self) -> int:
-        return self._count
+        return len(self.all) if self._count < 0 else self._count
 
     @overload
     def __getitem__(self, index: int) -> Action: ...
     @overload
     def __getitem__(self, index: slice) -> list[Action]: ...
     def __getitem__(self, index: int | slice) -> Action | list[Action]:
-        if self._all is not None or isinstance(index, slice) or not 0 <= index < self._count:
+        if self._all is not None or isinstance(index, slice) or not 0 <= index < len(self):
             return self.all[index]
         if index not in self._known:
             self._loaded.visit(self.state)
