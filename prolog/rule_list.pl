@@ -42,7 +42,8 @@ legal(Policy, Module, Numbers, Action) :-
     Policy:'$rule'(Number, Action).
 
 has(Policy, Value, Action) :-
-    potential(Policy, Action, Value).
+    potential(Policy, Action, Own),
+    Own =:= Value.
 
 %   The rules are compiled when they are first asked: '$head'(Number, Action) and '$rule'(Number, Action).
 
