@@ -4,7 +4,7 @@
 :- use_module(worlds).
 
 :- begin_tests(rule_list, [ setup((new_toy, assertz(toy:(action(move(X, floor)) :- on(X, Y), Y \== floor, \+ on(_, X))),
-                                   assertz(toy:(action(move(X, Y)) :- on(X, _), on(Y, floor), \+ on(_, X), \+ on(_, Y), X \== Y)))),
+                                   assertz(toy:(action(move(X, Y)) :- on(X, _), on(Y, _), \+ on(_, X), \+ on(_, Y), X \== Y)))),
                             cleanup((retractall(toy:action(_)), drop_toy)) ]).
 
 %   Clauses as Python gives them: [VariableCount, Head, Query, Value]; of the actions move(a, c), move(a, floor), move(c, a).
