@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from nppg.cli import loading
-from nppg.cli.arguments import add_explain, add_model
+from nppg.cli.arguments import add_explain, add_model, add_problems
 from nppg.judging.evaluation import evaluate, evaluate_exactly, merit
 from nppg.learning.options import at_least
 from nppg.rules.distill import distill
@@ -17,6 +17,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The model, and how few rules."""
     add_model(parser)
     add_explain(parser)
+    add_problems(parser)
     parser.add_argument("--max-rules", type=int, default=10, metavar="N", help="(default: 10)")
     parser.add_argument("--bias", help="what the rules may test (default: the bias that the model was trained with)")
     parser.add_argument(

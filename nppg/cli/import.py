@@ -9,7 +9,6 @@ from nppg.answers.coverage import root_table
 from nppg.bias.refinement import Refiner
 from nppg.errors import NppgError, Problem
 from nppg.worlds.pddl_domain import import_domain
-from nppg.worlds.problems import BESIDE, problems_text
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -25,8 +24,6 @@ def run(options: argparse.Namespace) -> int:
     bias = domain.language_bias()
     folder = options.output or Path(domain.name)
     files = {domain.path.name: domain.source, Path(bias.file).name: bias.source, **domain.companions}
-    if domain.problems:
-        files[f"{domain.path.stem}{BESIDE}"] = problems_text(domain).encode()
     try:
         folder.mkdir(parents=True, exist_ok=True)
         others = [

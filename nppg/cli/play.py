@@ -7,7 +7,7 @@ import argparse
 import numpy as np
 
 from nppg.cli import loading
-from nppg.cli.arguments import add_model, add_parameters
+from nppg.cli.arguments import add_model, add_parameters, add_problems
 from nppg.learning.episode import generate_episode
 from nppg.learning.options import at_least
 from nppg.policy.policy import Policy
@@ -18,6 +18,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The model, and the seed."""
     add_model(parser)
     add_parameters(parser)
+    add_problems(parser)
     parser.add_argument("--seed", type=int, default=0, help="of the episode (default: 0)")
 
 

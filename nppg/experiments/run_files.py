@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
-from nppg.bridge.files import replacing
+from nppg.bridge.files import replacing, sha256
 from nppg.bridge.interrupts import undisturbed
 from nppg.bridge.prolog import ask
 from nppg.errors import NppgError, Problem
@@ -62,6 +62,7 @@ def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[st
         "numpy": np.__version__,
         "domain": {"file": domain.path.name, "sha256": domain.hash, "parameters": domain.parameters},
         "bias": {"file": Path(bias.file).name, "sha256": bias.hash} if bias.source else None,
+        "beside": [{"file": name, "sha256": sha256(source)} for name, source in domain.companions.items()],
         "learner": options.learner,
         "options": asdict(options),
         "tree": asdict(bias.tree),

@@ -38,7 +38,8 @@ def recorded_hashes(folder: Path) -> dict[str, str]:
     """SHA-256 of the inputs that the last run into a folder put there, by name."""
     try:
         summary = json.loads((folder / "run.json").read_text())
-        return {each["file"]: each["sha256"] for each in (summary["domain"], summary["bias"]) if each}
+        inputs = (summary["domain"], summary["bias"], *summary.get("beside", ()))
+        return {each["file"]: each["sha256"] for each in inputs if each}
     except (OSError, ValueError, KeyError, TypeError):
         return {}
 

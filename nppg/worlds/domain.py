@@ -21,7 +21,7 @@ from nppg.bridge.terms import Ground, compounds, ground, plain
 from nppg.errors import NppgError, Problem
 from nppg.worlds.legal import LegalActions
 from nppg.worlds.loaded import Loaded
-from nppg.worlds.problems import Problems, numbered, problems_in
+from nppg.worlds.problems import BESIDE, Problems, numbered, problems_in, problems_text
 from nppg.worlds.state import NOTHING, Interpretation, Static, facts_of, interpretation_of, static_of
 from nppg.worlds.world import Action, Outcome, Situation, State
 
@@ -113,6 +113,9 @@ class Domain:
         """Draws a start state."""
         if not (self.chosen or self.has_start):
             self.chosen = list(self.problems)
+            if not self.chosen:
+                message = "the domain has no start states: neither start/1 nor problems (see --problems)"
+                raise NppgError([Problem(str(self.path), 0, 0, message)])
         if self.chosen:
             return self.problem(self.chosen[int(rng.random() * len(self.chosen))])
         self.forget()
@@ -124,7 +127,7 @@ class Domain:
         """Its problems, the names by number; empty where it has none."""
         if self._problems is None:
             numbers = ask("problem_numbers", self.module) if self._numbers_problems else []
-            self._problems = Problems({number: f"problem {number}" for number in numbers}, self._begin)
+            self._problems = Problems({number: f"problem {number}" for number in numbers}, self._begin, given=False)
         return self._problems.names
 
     def _begin(self, number: int) -> Interpretation:
@@ -162,8 +165,12 @@ class Domain:
 
     @property
     def companions(self) -> Mapping[str, bytes]:
-        """The files beside its own that it needs, contents by name."""
-        return {}
+        """The files beside its own that it needs, contents by name: those of the problems that it was given."""
+        if self._problems is None or not self._problems.given:
+            return {}
+        chosen = self.chosen or self.problems
+        text = problems_text({self.problems[number]: self.problem(number) for number in chosen})
+        return {f"{self.path.stem}{BESIDE}": text.encode()}
 
     def _no_problem(self, number: int) -> NppgError:
         known = list(self.problems)

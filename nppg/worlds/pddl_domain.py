@@ -47,7 +47,7 @@ class PddlDomain(Domain):
 
     @property
     def companions(self) -> dict[str, bytes]:
-        return {self.pddl: self.model.source.encode()}
+        return {self.pddl: self.model.source.encode(), **super().companions}
 
     @property
     def wanted(self) -> list[str]:

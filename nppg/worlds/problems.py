@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
-from typing import Protocol
 
 from nppg.bias.names import written
 from nppg.bridge.prolog import ask
@@ -17,20 +17,13 @@ BESIDE = "_problems.pl"  # ends the name of the file with a domain file's proble
 _KEPT = 100  # start states that are remembered
 
 
-class _Numbered(Protocol):
-    """What has problems: a domain."""
-
-    @property
-    def problems(self) -> Mapping[int, str]: ...
-
-    def problem(self, number: int) -> Sequence[Ground]: ...
-
-
 class Problems:
-    """Start states by number, each with a name; they are read when they are first needed."""
+    """Start states by number, each with a name; they are read when they are first needed. `given`: beside the domain,
+    which does not have them in its file."""
 
-    def __init__(self, names: Mapping[int, str], read: Callable[[int], Interpretation]):
+    def __init__(self, names: Mapping[int, str], read: Callable[[int], Interpretation], given: bool = True):
         self.names = names
+        self.given = given
         self._read = read
         self._known: dict[int, Interpretation] = {}
 
@@ -45,7 +38,11 @@ class Problems:
 
 def numbered(states: Sequence[Interpretation], names: Sequence[str]) -> Problems:
     """These start states, numbered from 1."""
-    return Problems(dict(enumerate(names, 1)), lambda number: states[number - 1])
+    return Problems(dict(enumerate(names, 1)), partial(_nth, states))
+
+
+def _nth(states: Sequence[Interpretation], number: int) -> Interpretation:
+    return states[number - 1]
 
 
 def problems_in(path: Path, module: str) -> Problems:
@@ -58,11 +55,11 @@ def problems_in(path: Path, module: str) -> Problems:
     return numbered(states, names)
 
 
-def problems_text(domain: _Numbered) -> str:
-    """The problems of a domain as a data file."""
+def problems_text(states: Mapping[str, Sequence[Ground]]) -> str:
+    """Start states by name as a data file."""
     found = ["% Problems: start states by name. They are read as data.\n"]
-    for number, name in domain.problems.items():
-        state = interpretation_of(domain.problem(number))
+    for name, each in states.items():
+        state = interpretation_of(each)
         facts = ",\n    ".join(texts((*state.static.facts, *state.facts)))
         found.append(f"problem({written(name)}, [\n    {facts}\n]).\n")
     return "\n".join(found)
