@@ -3,10 +3,13 @@
             forget_rules/1       % +Policy                       det
           ]).
 
-:- use_module(library(apply), [include/3]).
+:- use_module(library(apply), [include/3, partition/4]).
 :- use_module(library(lists), [member/2]).
+:- use_module(contract, [declared/2]).
 :- use_module(guard, [guarded_findall/4]).
+:- use_module(join_order, [few/2, ordered/4]).
 :- use_module(potential, [module_of/2, potential/3, rule/3]).
+:- use_module(terms, [conjunction/2]).
 :- use_module(values, [must_be_actions/3]).
 
 /** <module> A policy that is a list of rules
@@ -17,7 +20,7 @@ action has the value.
 */
 
 :- dynamic
-    ordered/2.                   % Policy, Groups: of Value-Numbers, from the highest value on
+    ordered/2.                   % Policy, Groups: of group(Value, Numbers, Hidden), from the highest value on
 
 %!  preferred(+Policy, -Actions) is det.
 %
@@ -26,10 +29,13 @@ action has the value.
 preferred(Policy, Actions) :-
     module_of(Policy, Module),
     by_value(Policy, Groups),
-    (   member(Value-Numbers, Groups),
+    (   member(group(Value, Numbers, Hidden), Groups),
         guarded_findall(Action, Module:(action/1), legal(Policy, Module, Numbers, Action), Found),
         sort(Found, Sorted),
-        include(has(Policy, Value), Sorted, Actions),
+        (   Hidden == true
+        ->  include(has(Policy, Value), Sorted, Actions)
+        ;   Actions = Sorted
+        ),
         Actions \== []
     ->  must_be_actions(Module, action/1, Actions)
     ;   Actions = []
@@ -37,63 +43,127 @@ preferred(Policy, Actions) :-
 
 legal(Policy, Module, Numbers, Action) :-
     member(Number, Numbers),
-    Policy:'$head'(Number, Action),
-    Module:action(Action),
-    Policy:'$rule'(Number, Action).
+    Policy:'$rule'(Number, Module, Action).
 
 has(Policy, Value, Action) :-
     potential(Policy, Action, Own),
     Own =:= Value.
 
-%   The rules are compiled when they are first asked: '$head'(Number, Action) and '$rule'(Number, Action).
+%   The rules are compiled when they are first asked: '$rule'(Number, Module, Action). What is not about the action comes
+%   first, and once. The action follows; only where the domain file is written from PDDL, so that it gives the same actions
+%   however they are asked for, the literals with few answers may bind its arguments before.
 
 by_value(Policy, Groups) :-
     (   ordered(Policy, Groups)
     ->  true
     ;   findall(Action-Value-Body, rule(Policy, 1, ( delta(1, Action, Value) :- Body )), Rules),
-        retractall(Policy:'$head'(_, _)),
-        retractall(Policy:'$rule'(_, _)),
-        compiled(Rules, Policy, 0, Pairs),
+        module_of(Policy, Module),
+        retractall(Policy:'$rule'(_, _, _)),
+        compiled(Rules, Policy, Module, 0, Pairs),
         keysort(Pairs, Rising),
         grouped(Rising, [], Groups),
         assertz(ordered(Policy, Groups))
     ).
 
-compiled([], _, _, []).
-compiled([Action-Value-Body|Rules], Policy, Number, [Value-Number|Pairs]) :-
-    without_cut(Body, Query),
-    copy_term(Action, Head),
-    assertz(Policy:'$head'(Number, Head)),
-    assertz(Policy:('$rule'(Number, Action) :- Query)),
+compiled([], _, _, _, []).
+compiled([Action-Value-Body|Rules], Policy, Module, Number, [Value-Number|Pairs]) :-
+    without_cut(Body, Literals),
+    term_variables(Action, Own),
+    connected(Literals, Own, About, Others),
+    ordered(Module, [], Others, Conditions),
+    conjunction(Conditions, Condition),
+    asked(Action, About, Module, Goal),
+    assertz(Policy:( '$rule'(Number, Module, Action) :- \+ \+ Condition, Goal )),
     Next is Number+1,
-    compiled(Rules, Policy, Next, Pairs).
+    compiled(Rules, Policy, Module, Next, Pairs).
 
-without_cut(Body, Query) :-
-    (   Body = ( Goal, Goals )
-    ->  without_cut(Goals, Rest),
-        (   Rest == true
-        ->  Query = Goal
-        ;   Query = ( Goal, Rest )
-        )
-    ;   Body == !
-    ->  Query = true
-    ;   Query = Body
+%!  asked(+Action, +Literals, +Module, -Goal) is det.
+
+asked(Action, Literals, Module, Goal) :-
+    (   nonvar(Action),
+        declared(Module, nppg_pddl(_))
+    ->  ordered(Module, [], Literals, Free),
+        bounded(Free, Module, Before, Rest0),
+        ordered(Module, Action, Rest0, Rest),
+        conjunction(Before, Binding),
+        conjunction(Rest, Tests),
+        Goal = ( Binding, Module:action(Action), \+ \+ Tests )
+    ;   ordered(Module, Action, Literals, Rest),
+        conjunction(Rest, Tests),
+        Goal = ( Module:action(Legal), Legal = Action, \+ \+ Tests )
     ).
 
-%   The last pairs come first.
+%   The facts in front that have few answers, and the others.
+
+bounded([Literal|Literals], Module, [Literal|Before], Rest) :-
+    few(Module, Literal),
+    !,
+    bounded(Literals, Module, Before, Rest).
+bounded(Literals, _, [], Literals).
+
+%   The literals that share variables with the action, if only by way of others.
+
+connected(Literals, Variables, About, Others) :-
+    partition(shares(Variables), Literals, Some, Left),
+    (   Some == []
+    ->  About = [],
+        Others = Left
+    ;   term_variables(Variables-Some, More),
+        connected(Left, More, Rest, Others),
+        merged(Literals, Some, Rest, About)
+    ).
+
+shares(Variables, Literal) :-
+    term_variables(Literal, Own),
+    member(Variable, Own),
+    member(Other, Variables),
+    Variable == Other,
+    !.
+
+%   In their order.
+
+merged(Literals, Some, Rest, About) :-
+    include(among(Some, Rest), Literals, About).
+
+among(Some, Rest, Literal) :-
+    ( member(Other, Some) ; member(Other, Rest) ),
+    Other == Literal,
+    !.
+
+without_cut(Body, Goals) :-
+    (   Body = ( Goal, Rest )
+    ->  Goals = [Goal|More],
+        without_cut(Rest, More)
+    ;   ( Body == ! ; Body == true )
+    ->  Goals = []
+    ;   Goals = [Body]
+    ).
+
+%   The last pairs come first. An action that meets one of the rules may have another value where an earlier rule has a
+%   lower one: the rules are hidden then.
 
 grouped([], Groups, Groups).
 grouped([Value-Number|Pairs], Groups0, Groups) :-
-    (   Groups0 = [Same-Numbers|Others], Same =:= Value
-    ->  grouped(Pairs, [Same-[Number|Numbers]|Others], Groups)
-    ;   grouped(Pairs, [Value-[Number]|Groups0], Groups)
+    (   Groups0 = [group(Same, Numbers, Hidden0)|Others],
+        Same =:= Value
+    ->  hidden(Number, Others, Hidden0, Hidden),
+        grouped(Pairs, [group(Same, [Number|Numbers], Hidden)|Others], Groups)
+    ;   hidden(Number, Groups0, false, Hidden),
+        grouped(Pairs, [group(Value, [Number], Hidden)|Groups0], Groups)
+    ).
+
+hidden(Number, Lower, Hidden0, Hidden) :-
+    (   member(group(_, Numbers, _), Lower),
+        member(Earlier, Numbers),
+        Earlier < Number
+    ->  Hidden = true
+    ;   Hidden = Hidden0
     ).
 
 %!  forget_rules(+Policy) is det: what has been compiled of a policy.
 
 forget_rules(Policy) :-
     (   retract(ordered(Policy, _))
-    ->  retractall(Policy:'$head'(_, _)),
-        retractall(Policy:'$rule'(_, _))
+    ->  retractall(Policy:'$rule'(_, _, _))
     ;   true
     ).

@@ -7,6 +7,8 @@
 
 :- use_module(library(apply), [foldl/4]).
 :- use_module(library(lists), [member/2]).
+:- use_module(join_order, [ordered/4]).
+:- use_module(layout, [layout/4]).
 :- use_module(terms).
 
 /** <module> Tests compiled into clauses
@@ -32,7 +34,8 @@ word_clause([measure, Test], Table, Roots, Key) :-
     measure(Table, Roots, Test, Key, Value, Goal),
     compiled(Table, ('$row'(Key, Roots, Value) :- Goal)).
 word_clause(Tests, Table, Roots, Key) :-
-    foldl(test_bit(Roots), Tests, bits(1, 0, true), bits(_, Bits, Body)),
+    layout(Table, Module, _, _),
+    foldl(test_bit(Module, Roots), Tests, bits(1, 0, true), bits(_, Bits, Body)),
     compiled(Table, ('$row'(Key, Roots, Bits) :- Body)).
 
 %!  pack_clause(+Pack, +Table, +Roots, +Number) is det.
@@ -129,17 +132,18 @@ compiled(Table, Clause) :-
         assertz(Table:Clause),
         set_prolog_flag(optimise, Old)).
 
-test_bit(Roots, Test, bits(Bit, Bits0, Body), bits(NextBit, Bits, Extended)) :-
+test_bit(Module, Roots, Test, bits(Bit, Bits0, Body), bits(NextBit, Bits, Extended)) :-
     NextBit is Bit*2,
-    test_goal(Roots, Test, Goal),
+    test_goal(Module, Roots, Test, Goal),
     Extended = (Body, ( Goal -> Bits is Bits0+Bit ; Bits = Bits0 )).
 
 %   Each test gets fresh existential variables.
 
-test_goal(Roots, Test, Goal) :-
+test_goal(Module, Roots, Test, Goal) :-
     query_variables(Roots, [Test], Variables),
     literals(Test, Variables, Literals),
-    conjunction(Literals, Goal).
+    ordered(Module, Roots, Literals, Ordered),
+    conjunction(Ordered, Goal).
 
 query_variables(Roots, Queries, Variables) :-
     functor(Roots, _, RootCount),
