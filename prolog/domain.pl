@@ -212,9 +212,9 @@ outcome(Module, Action, Probability-change(Gone, New)) :-
     must_be_facts(Module, Source, Add),
     effective(Module, Delete, Add, Gone, New).
 
-%!  reward(+Module, +Action, +Status, -Reward) is det.
+%!  reward(+Module, +Action, ?Status, -Reward) is det.
 %
-%   The reward for Action, which has just led to the current state, and to its status.
+%   The reward for Action, which has just led to the current state; its status may be known.
 
 reward(Module, Action, Status, Reward) :-
     (   defines(Module, reward/2)
@@ -225,9 +225,11 @@ reward(Module, Action, Status, Reward) :-
             )
         ;   fault(Module:(reward/2), 'failed for the action ~w'-[Action])
         )
-    ;   Status == goal
-    ->  Reward = 1
-    ;   Reward = 0
+    ;   ( nonvar(Status) -> true ; status(Module, Status) ),
+        (   Status == goal
+        ->  Reward = 1
+        ;   Reward = 0
+        )
     ).
 
 %!  cost(+Module, +Action, -Cost) is det.

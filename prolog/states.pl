@@ -227,12 +227,16 @@ act(Module, Lean, ActionData, [Reward, GoneData, NewData, Situation]) :-
     outcomes(Module, Action, Outcomes),
     chosen(Outcomes, change(Gone, New)),
     change(Module, Gone, New),
-    status(Module, Status),
+    (   catch(without_draws(status(Module, Found)), nppg_fault(_, _), fail)
+    ->  Status = Found
+    ;   true
+    ),
     reward(Module, Action, Status, Reward),
     encode_all(Gone, GoneData),
     encode_all(New, NewData),
-    (   catch(without_draws(situation(Module, Lean, Status, Found)), nppg_fault(_, _), fail)
-    ->  Situation = Found
+    (   nonvar(Found),
+        catch(without_draws(situation(Module, Lean, Status, Whole)), nppg_fault(_, _), fail)
+    ->  Situation = Whole
     ;   Situation = []
     ).
 
@@ -252,8 +256,7 @@ certain(Module, ActionData, Change) :-
 
 reward_of(Module, ActionData, Reward) :-
     decode(ActionData, Action),
-    status(Module, Status),
-    reward(Module, Action, Status, Reward).
+    reward(Module, Action, _, Reward).
 
 cost_of(Module, ActionData, Cost) :-
     decode(ActionData, Action),
