@@ -28,12 +28,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     files.add_argument(
         "--evaluate-every",
         type=int,
-        default=50,
         metavar="N",
-        help="episodes between two points of the curve; 0: none (default: 50)",
+        help="episodes between two points of the curve; 0: none (default: 50; with problems 200)",
     )
     files.add_argument(
-        "--starts", type=int, default=200, metavar="N", help="starts of a sampled point of the curve (default: 200)"
+        "--starts",
+        type=int,
+        metavar="N",
+        help="starts of a sampled point of the curve (default: 200; with problems 20 of these)",
     )
     files.add_argument(
         "--until-success", type=float, metavar="P", help="stop at the first point of the curve with this success"
@@ -50,9 +52,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Learns, prints the curve's points and writes the files. Raises NppgError."""
-    at_least("evaluate-every", options.evaluate_every, 0)
-    at_least("starts", options.starts, 1)
+    at_least("evaluate-every", options.evaluate_every or 0, 0)
+    if options.starts is not None:
+        at_least("starts", options.starts, 1)
     domain = loading.domain(options)
+    starts = 200 if options.starts is None and not domain.chosen else options.starts
     bias = loading.bias(options, domain)
     assert bias
     learner = learner_of(bias, options.learner)
@@ -64,14 +68,14 @@ def run(options: argparse.Namespace) -> int:
     output = options.output or Path("runs") / domain.name
     report = (lambda progress: None) if options.quiet else reporter(chosen)
     until = options.until_success
-    if until is not None and not (0 <= until <= 1 and options.evaluate_every):
+    if until is not None and not (0 <= until <= 1 and options.evaluate_every != 0):
         raise NppgError("until-success must be from 0 to 1, and needs points of the curve (evaluate-every)")
     least = options.until_return
-    if least is not None and not (math.isfinite(least) and options.evaluate_every):
+    if least is not None and not (math.isfinite(least) and options.evaluate_every != 0):
         raise NppgError("until-return must be a finite number, and needs points of the curve (evaluate-every)")
     with warnings_told(not options.quiet):
         progress = runs.run(
-            domain, bias, chosen, output, options.evaluate_every, options.starts, report, until, until_return=least
+            domain, bias, chosen, output, options.evaluate_every, starts, report, until, until_return=least
         )
     if not options.quiet:
         print(f"written to {output}/: {', '.join(progress.written)}")

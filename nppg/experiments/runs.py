@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from nppg.bias.language_bias import LanguageBias
@@ -20,6 +20,7 @@ from nppg.learning.options import Common
 from nppg.learning.training import Iteration
 from nppg.worlds.domain import Domain
 
+_PROBLEMS = 20  # at most so many are a point of the curve
 _CLASSES = 20_000  # state spaces up to this size are evaluated exactly between the trees
 
 
@@ -28,8 +29,8 @@ def run(
     bias: LanguageBias,
     options: Common | None,
     output: Path,
-    evaluate_every: int = 50,
-    starts: int = 1000,
+    evaluate_every: int | None = None,
+    starts: int | None = None,
     report: Callable[[Progress], None] = lambda progress: None,
     until_success: float | None = None,
     space: Space | None = None,
@@ -37,8 +38,10 @@ def run(
 ) -> Progress:
     """Trains and writes the files into the folder `output`; `options` are by default, None, those of the bias.
 
-    Every `evaluate_every` episodes (0: never) the policy is evaluated: exactly where the domain allows it and has
-    few classes of states, else on `starts` sampled starts. With `until_success` or `until_return` the run ends at the
+    Every `evaluate_every` episodes (0: never; by default 50, and 200 where the domain's starts are drawn from problems)
+    the policy is evaluated: exactly where the domain allows it and has few classes of states; on some of the problems,
+    20 at most, each once; else on `starts` sampled starts, by default 1000, which are drawn in place of problems, too,
+    where they are given. With `until_success` or `until_return` the run ends at the
     first such point where the stochastic policy reaches it; for a return all points are sampled. `space` is the
     domain's, where the caller has it already. On KeyboardInterrupt the files are written for what has been learned,
     then it is raised again; after a mistake of the domain they are written as far as there was none before, so that
@@ -46,6 +49,10 @@ def run(
     in the way of a copy of the domain or the bias.
     """
     options = options_of(bias) if options is None else options
+    if evaluate_every is None:
+        evaluate_every = 200 if domain.chosen else 50
+    if starts is None and not domain.chosen:
+        starts = 1000
     problems = bias.check(domain.predicates, domain.actions)
     problems += in_the_way(domain, bias, output)
     if problems:
@@ -65,7 +72,7 @@ def run(
             progress = progress or Progress(iteration.policy, options, judging)
             _advance(progress, iteration, time.perf_counter() - clock)
             if _is_due(progress, iteration, evaluate_every):
-                judge = judge or _judge(progress, starts, space)
+                judge = judge or _judge(progress, alone(starts), space)
                 progress.point = _point(progress, *judge())
                 progress.curve.append(progress.point)
             reached = _reached(progress.point, until_success, until_return)
@@ -117,7 +124,7 @@ def _is_due(progress: Progress, iteration: Iteration, every: int) -> bool:
     return not progress.curve or last // every < progress.episodes // every or at_end
 
 
-def _judge(progress: Progress, starts: int, space: Space | None) -> Callable[[], tuple[Evaluation, Evaluation]]:
+def _judge(progress: Progress, starts: int | None, space: Space | None) -> Callable[[], tuple[Evaluation, Evaluation]]:
     """How the run's policy is evaluated: the stochastic and the greedy one."""
     policy, seed, factor = progress.policy, progress.options.seed, progress.options.horizon_factor
     if policy.domain.is_countable and progress.measure == "success":
@@ -132,10 +139,17 @@ def _judge(progress: Progress, starts: int, space: Space | None) -> Callable[[],
                 return now.evaluate(False, factor), now.evaluate(True, factor)
 
             return exactly
+    problems = _spread(policy.domain.chosen) if starts is None else []
+    count = starts or len(problems)
     return lambda: (
-        evaluate(policy, starts, seed, False, factor),
-        evaluate(policy, starts, seed, True, factor),
+        evaluate(policy, count, seed, False, factor, problems),
+        evaluate(policy, count, seed, True, factor, problems),
     )
+
+
+def _spread(problems: Sequence[int]) -> Sequence[int]:
+    """Some of them, at even distances."""
+    return problems[:: -(-len(problems) // _PROBLEMS)] if problems else []
 
 
 def _point(progress: Progress, stochastic: Evaluation, greedy: Evaluation) -> Point:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -37,15 +38,22 @@ def merit(policy: Policy, result: Evaluation) -> tuple[str, float]:
 
 
 def evaluate(
-    policy: Policy, starts: int = 1000, seed: int = 0, greedy: bool = False, horizon_factor: float = 1.0
+    policy: Policy,
+    starts: int = 1000,
+    seed: int = 0,
+    greedy: bool = False,
+    horizon_factor: float = 1.0,
+    problems: Sequence[int] = (),
 ) -> Evaluation:
-    """Sampled: one episode from each of `starts` random start states, from a generator of its own."""
-    starts, seed = at_least("starts", starts, 1), at_least("seed", seed, 0)
+    """Sampled: one episode from each of `starts` random start states, from a generator of its own; or, where they are
+    given, from each of these problems of the domain."""
+    starts, seed = len(problems) or at_least("starts", starts, 1), at_least("seed", seed, 0)
     greedy = greedy or policy.greedy
     rng = np.random.default_rng([seed, 0x6E707067])
     successes, steps, found = 0, 0, []
-    for _ in range(starts):
-        episode = generate_episode(policy, rng, greedy=greedy, horizon_factor=horizon_factor)
+    for i in range(starts):
+        start = policy.domain.problem(problems[i]) if problems else None
+        episode = generate_episode(policy, rng, greedy=greedy, horizon_factor=horizon_factor, start=start)
         successes += episode.success
         steps += len(episode.steps)
         found.append(episode.undiscounted)
