@@ -1,10 +1,12 @@
 :- module(nppg_join_order,
           [ ordered/4,           % +Module, +Bound, +Literals, -Ordered  det
-            few/2                % +Module, +Literal             semidet
+            few/2,               % +Module, +Literal             semidet
+            outgrown/3           % +Module, +Size, -Next         semidet
           ]).
 
 :- use_module(library(lists), [member/2]).
 :- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
+:- use_module(interpretation, []).
 
 /** <module> In which order the literals of a test are asked
 
@@ -16,8 +18,8 @@ behind all facts that stood before them, so that they find bound what they found
 %!  ordered(+Module, +Bound, +Literals, -Ordered) is det.
 %
 %   Next comes what is a fact without unbound variables, then the literal that is expected to have the fewest answers: of
-%   n facts of k arguments n^(u/k), where u of them are unbound; one answer of others whose arguments are all bound, else
-%   as many as the largest predicate has.
+%   n facts of k arguments n^(u/k), where u of them are unbound; of others as if there were as many facts as of the largest
+%   predicate. How many there are is seen in the current state.
 %   Bound is a term whose variables are bound before.
 
 ordered(Module, Bound, Literals, Ordered) :-
@@ -67,9 +69,8 @@ cost(Literal, Module, Known, Largest, Cost) :-
         ;   functor(Literal, _, Arity),
             Cost is max(Number, 1)**(Count/Arity)
         )
-    ;   Count =:= 0
-    ->  Cost = 1
-    ;   Cost = Largest
+    ;   functor(Literal, _, Arity),
+        Cost is Largest**(Count/max(Arity, 1))
     ).
 
 facts(Module, Literal, Number) :-
@@ -103,3 +104,13 @@ variables(Term, Variables) :-
 few(Module, Literal) :-
     facts(Module, Literal, Number),
     Number =< 20.
+
+%!  outgrown(+Module, +Size, -Next) is semidet.
+%
+%   Whether the current state has more facts than Size, so that an order that was found in smaller ones is to be found
+%   anew; it is good for states of up to Next facts.
+
+outgrown(Module, Size, Next) :-
+    nppg_interpretation:facts(Module, Count),
+    Count > Size,
+    Next is 4*Count.

@@ -7,7 +7,7 @@
 :- use_module(library(lists), [member/2]).
 :- use_module(contract, [declared/2]).
 :- use_module(guard, [guarded_findall/4]).
-:- use_module(join_order, [few/2, ordered/4]).
+:- use_module(join_order, [few/2, ordered/4, outgrown/3]).
 :- use_module(potential, [module_of/2, potential/3, rule/3]).
 :- use_module(terms, [conjunction/2]).
 :- use_module(values, [must_be_actions/3]).
@@ -20,7 +20,7 @@ action has the value.
 */
 
 :- dynamic
-    ordered/2.                   % Policy, Groups: of group(Value, Numbers, Hidden), from the highest value on
+    ordered/3.                   % Policy, Size (see outgrown/3), Groups: of group(Value, Numbers, Hidden), from the highest value on
 
 %!  preferred(+Policy, -Actions) is det.
 %
@@ -54,15 +54,21 @@ has(Policy, Value, Action) :-
 %   however they are asked for, the literals with few answers may bind its arguments before.
 
 by_value(Policy, Groups) :-
-    (   ordered(Policy, Groups)
+    module_of(Policy, Module),
+    (   ordered(Policy, Size, Known)
     ->  true
-    ;   findall(Action-Value-Body, rule(Policy, 1, ( delta(1, Action, Value) :- Body )), Rules),
-        module_of(Policy, Module),
-        retractall(Policy:'$rule'(_, _, _)),
+    ;   Size = -1
+    ),
+    (   \+ outgrown(Module, Size, _),
+        Size >= 0
+    ->  Groups = Known
+    ;   outgrown(Module, -1, Next),
+        findall(Action-Value-Body, rule(Policy, 1, ( delta(1, Action, Value) :- Body )), Rules),
+        forget_rules(Policy),
         compiled(Rules, Policy, Module, 0, Pairs),
         keysort(Pairs, Rising),
         grouped(Rising, [], Groups),
-        assertz(ordered(Policy, Groups))
+        assertz(ordered(Policy, Next, Groups))
     ).
 
 compiled([], _, _, _, []).
@@ -163,7 +169,7 @@ hidden(Number, Lower, Hidden0, Hidden) :-
 %!  forget_rules(+Policy) is det: what has been compiled of a policy.
 
 forget_rules(Policy) :-
-    (   retract(ordered(Policy, _))
+    (   retract(ordered(Policy, _, _))
     ->  retractall(Policy:'$rule'(_, _, _))
     ;   true
     ).

@@ -10,6 +10,7 @@
 :- use_module(library(lists), [append/3, member/2, nth0/3]).
 :- use_module(blame).
 :- use_module(guard, [guarded/3]).
+:- use_module(join_order, [outgrown/3]).
 :- use_module(layout).
 :- use_module(test_clauses, [word_clause/4]).
 
@@ -23,7 +24,9 @@ arguments, so tests about the goal's objects alone are asked once in a state.
 
 :- dynamic
     tables/1,
-    words/3.                     % Table, Kind, Words: of word(Key, Arguments), sorted
+    words/3,                     % Table, Kind, Words: of word(Key, Arguments), sorted
+    given/3,                     % Table, Key, Word: as set_tests/4 had it
+    sized/2.                     % Table, Size: up to how many facts its clauses are good for
 tables(0).
 
 %!  new_table(+Module, +Kinds, +Goal, -Table) is det.
@@ -43,6 +46,8 @@ new_table(Module, Kinds, Goal, Table) :-
 drop_table(Table) :-
     drop_layout(Table),
     retractall(words(Table, _, _)),
+    retractall(given(Table, _, _)),
+    retractall(sized(Table, _)),
     retractall(Table:'$row'(_, _, _)),
     retractall(Table:'$solution'(_, _, _)).
 
@@ -78,10 +83,31 @@ set_tests(Table, Kind, [Number, Positions], Words) :-
 of_group(Arguments, word(_, Arguments)).
 
 set_word(Table, Count, Word, Key, Next) :-
+    retractall(given(Table, Key, _)),
+    assertz(given(Table, Key, Word)),
+    compile_word(Table, Count, Key, Word),
+    Next is Key+1.
+
+compile_word(Table, Count, Key, Word) :-
     functor(Roots, roots, Count),
     retractall(Table:'$row'(Key, _, _)),
-    word_clause(Word, Table, Roots, Key),
-    Next is Key+1.
+    word_clause(Word, Table, Roots, Key).
+
+%   The literals of tests stand in an order that is good for states of some size.
+
+suit(Table, Module) :-
+    (   sized(Table, Size)
+    ->  true
+    ;   Size = 0
+    ),
+    (   outgrown(Module, Size, Next)
+    ->  retractall(sized(Table, _)),
+        assertz(sized(Table, Next)),
+        root_count(Table, Count),
+        findall(Key-Word, given(Table, Key, Word), Words),
+        forall(member(Key-Word, Words), compile_word(Table, Count, Key, Word))
+    ;   true
+    ).
 
 %!  rows(+Table, +Actions, -Kinds, -Words) is det.
 %
@@ -92,6 +118,7 @@ rows(Table, Actions, Kinds, Words) :-
     goal_values(Table, GoalValues),
     kinds_and_roots(Actions, Table, GoalValues, Kinds, AllRoots),
     layout(Table, Module, _, _),
+    suit(Table, Module),
     sort(Kinds, Present),
     asked(Present, Table, Actions, Asked),
     catch(guarded(Module:test/0, Asked, kind_words(Present, Kinds, AllRoots, Table, Words, [])),

@@ -20,6 +20,8 @@ test(facts_before_others, Ordered == [on(C), near(C, L)]) :-
     ordered(crowd, L, [near(C, L), on(C)], Ordered).
 test(others_stay_behind_the_facts_that_bind_for_them, Ordered == [on(D), at(C, L), near(C, L)]) :-
     ordered(crowd, [], [at(C, L), near(C, L), on(D)], Ordered).
+test(others_as_the_largest, Ordered == [near(C, L), at(C, M)]) :-
+    ordered(crowd, L, [near(C, L), at(C, M)], Ordered).
 test(others_keep_their_order, Ordered == [far(C), near(C)]) :-
     ordered(crowd, [], [far(C), near(C)], Ordered).
 test(a_literal_twice, Ordered == [on(C), on(C)]) :-
