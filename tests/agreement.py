@@ -43,7 +43,7 @@ REFUSALS = (  # what unified-planning's reader raises for what it does not suppo
     TypeError,
     ValueError,
 )
-MANY = 1000  # ground actions that are asked for in every state
+MANY = 300  # ground actions that are asked for in every state
 _ORDER = ("(define", "(:domain", "(:requirements", "(:objects", "(:init", "(:goal", "(:metric")
 
 
