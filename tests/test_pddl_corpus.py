@@ -61,7 +61,7 @@ def compared(domain: PddlDomain, number: int, domain_file: Path, problem_file: P
         text = " ".join(str(error).split())
         warnings.warn(f"unified-planning: {problem_file}: {type(error).__name__}: {text}", stacklevel=2)
         return False
-    walks, steps = (2, 6) if reference.atoms_in_all() < LARGE else (1, 2)
+    walks, steps = (2, 5) if reference.atoms_in_all() < LARGE else (1, 1)
     agree(domain, number, reference, walks, steps)
     return True
 
