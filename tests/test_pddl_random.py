@@ -24,7 +24,7 @@ PREDICATES = {
 FUNCTIONS = {"total": (), "size": ("thing",), "way": ("place", "place")}
 NUMBERS = ("0", "1", "2", "0.5", "3")
 FIXED = ("fixed", "way")  # what no action changes
-COUNT = int(os.environ.get("NPPG_RANDOM_PDDL", "25"))
+COUNT = int(os.environ.get("NPPG_RANDOM_PDDL", "12"))
 
 
 def is_a(type_: str, wanted: str) -> bool:

@@ -8,13 +8,17 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
-from agreement import Reference, is_valid, opened
+from agreement import Reference, is_valid, named_facts, opened
+from test_pddl_agreement import PAIRS, without_either, written
 
 import nppg
 from nppg.cli.verbs import run as run_verb
 from nppg.errors import NppgError
 from nppg.judging.problems import attempts
+from nppg.pddl.problem_file import problem_of
+from nppg.pddl.tokens import Document
 from nppg.policy.policy import Policy
 
 pytest.importorskip("unified_planning")
@@ -25,12 +29,18 @@ from unified_planning.exceptions import UPUsageError
 from unified_planning.io import PDDLReader
 from unified_planning.model import Problem
 from unified_planning.shortcuts import (
+    And,
     BoolType,
+    Equals,
+    Exists,
     Fluent,
     GlobalStartTiming,
+    InstantaneousAction,
+    Not,
     Object,
     OneshotPlanner,
     UserType,
+    Variable,
     get_environment,
 )
 
@@ -205,3 +215,64 @@ def test_without_unified_planning_it_is_told_how_to_get_it() -> None:
     code = "import sys; sys.modules['unified_planning'] = None; import nppg.planning"
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert found.stderr.splitlines()[-1].endswith("nppg.planning needs unified-planning: pip install 'nppg[pddl]'")
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_a_problem_is_handed_over_as_it_is(name: str, tmp_path: Path) -> None:
+    """The start state and whether it is a goal, whatever the names are and whatever the goal says."""
+    from nppg.planning.problem_text import problem_text
+
+    domain_file, problem_file = written(tmp_path, *PAIRS[name])
+    domain_file.write_text(without_either(domain_file.read_text()))
+    domain = opened(domain_file, problem_file)
+    reference = Reference(domain_file, problem_file)
+    constants = {each.name for each in domain.model.constants}
+    text = problem_text(reference.problem, domain.model.name, constants)
+    start = domain.start_of(problem_of(Document("problem", text), domain.model))
+    assert named_facts(domain, start) == named_facts(domain, domain.problem(1))
+    rng = np.random.default_rng(0)
+    for _ in range(5):
+        one, other = domain.problem(1), start
+        for _ in range(8):
+            status, actions = domain.situation(one)
+            assert domain.situation(other) == (status, actions)
+            if status != "running":
+                break
+            action = actions[int(rng.random() * len(actions))]
+            one, other = domain.act(one, action, rng)[1], domain.act(other, action, rng)[1]
+
+
+def test_facts_that_are_true_by_default_are_handed_over(ferry: Path, planner: dict) -> None:
+    """A problem made without PDDL, whose ferry is free by default."""
+    place, car = UserType("place"), UserType("car")
+    problem = Problem("made")
+    fluents = {
+        "ferry-at": Fluent("ferry-at", BoolType(), p=place),
+        "at": Fluent("at", BoolType(), c=car, p=place),
+        "aboard": Fluent("aboard", BoolType(), c=car),
+        "free": Fluent("free"),
+    }
+    for name, fluent in fluents.items():
+        problem.add_fluent(fluent, default_initial_value=name == "free")
+    ferry_at, at, aboard, free = fluents.values()
+    sail = InstantaneousAction("Sail-To", a=place, b=place)
+    sail.add_precondition(And(ferry_at(sail.a), Not(Equals(sail.a, sail.b))))
+    sail.add_effect(ferry_at(sail.a), False)
+    sail.add_effect(ferry_at(sail.b), True)
+    on, off = (InstantaneousAction(name, c=car, p=place) for name in ("on", "off"))
+    on.add_precondition(And(at(on.c, on.p), ferry_at(on.p), free()))
+    off.add_precondition(And(aboard(off.c), ferry_at(off.p)))
+    for action, holds in ((on, False), (off, True)):
+        action.add_effect(at(action.c, action.p), holds)
+        action.add_effect(aboard(action.c), not holds)
+        action.add_effect(free(), holds)
+    problem.add_actions([sail, on, off])
+    end, mid, only = Object("END", place), Object("mid", place), Object("c1", car)
+    problem.add_objects([end, mid, only])
+    problem.set_initial_value(ferry_at(mid), True)
+    problem.set_initial_value(at(only, end), True)
+    problem.add_goal(Exists(at(only, Variable("where", place)), Variable("where", place)))
+    problem.add_goal(at(only, mid))
+    found = solved(planner, problem)
+    assert found.status is Status.SOLVED_SATISFICING
+    assert str(found.plan.actions[0]) == "Sail-To(mid, END)"
