@@ -75,6 +75,7 @@ def _checks() -> Iterator[Check]:
     yield _extra("scipy", "rrl", "the distance of RIB and TRENDI")
     yield _extra("scikit-learn", "cart", "CART as a regression learner")
     yield _extra("gymnasium", "gym", "its environments as domains")
+    yield _extra("unified-planning", "pddl", "policies as a planner of it")
     yield _extra("tqdm", "progress", "progress bars")
 
 

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from nppg.bias.names import written
+from nppg.pddl.names import OPERATORS
 
 WIDTH = 120
 _ARITHMETIC = ("+", "-", "*", "/")
@@ -166,6 +167,8 @@ def _operand(part: Part, whole: Infix, names: Mapping[Var, str]) -> str:
     if isinstance(part, Infix):
         tight = whole.operator in "*/" or (whole.operator in _ARITHMETIC and part is whole.right)
         return f"({text})" if tight else text
+    if isinstance(part, Term) and not part.args and part.name in OPERATORS:
+        return f"({text})"
     negative = isinstance(part, Term) and not isinstance(part.name, str) and part.name < 0
     return f"({text})" if negative and whole.operator in _ARITHMETIC else text
 

@@ -18,13 +18,15 @@ COST = "total-cost"  # what plans cost, by convention
 REWARD = "reward"  # what PPDDL's plans earn
 APART = (COST, REWARD)  # functions that are no part of a state
 
-# Names that a language bias has for itself, and operators, which would need brackets.
+# Prolog's operators that are words, and those of domain files: as operands they need brackets.
 _WORDS = (
-    "equal delta is mod rem div divmod rdiv xor as dynamic discontiguous initialization meta_predicate "
-    "module_transparent multifile public thread_local thread_initialization volatile table tnot static "
-    "fluent parameter interchangeable environment pddl dead_ends uniform_start holds true false fail"
+    "is mod rem div divmod rdiv xor as dynamic discontiguous initialization meta_predicate module_transparent "
+    "multifile public thread_local thread_initialization volatile table tnot static fluent parameter "
+    "interchangeable environment pddl"
 )
-_RESERVED = frozenset(_WORDS.split())
+OPERATORS = frozenset(_WORDS.split())
+# What else nppg has these names for.
+_RESERVED = OPERATORS | {"equal", "delta", "dead_ends", "uniform_start", "holds", "true", "false", "fail"}
 _HELPERS = {
     "goals": 1,
     "condition": 1,

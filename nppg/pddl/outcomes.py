@@ -11,14 +11,17 @@ from nppg.errors import NppgError, Problem
 from nppg.pddl.model import (
     Action,
     Add,
+    And,
     Arithmetic,
     Change,
     Delete,
     Domain,
     Each,
     Effect,
+    Equal,
     Expression,
     Formula,
+    Not,
     Probabilistic,
     Together,
     Typed,
@@ -27,6 +30,8 @@ from nppg.pddl.model import (
 )
 from nppg.pddl.names import APART
 from nppg.pddl.normal import conjuncts, is_variable, simplified
+
+_SUMMED = ("increase", "decrease")  # changes of the same number that come to one
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,11 +105,18 @@ def outcomes(domain: Domain, action: Action) -> tuple[Outcome, ...]:
             ),
         )
 
-    found = tuple(replace(each, parts=_united(each.parts)) for each in all_of(action.effect))
-    for outcome in found:
-        if met := _meeting(outcome.parts):
+    required = _different(conjuncts(simplified(action.precondition)))
+    found = []
+    for outcome in all_of(action.effect):
+        parts = _united(outcome.parts)
+        if met := _doubled(parts):
             raise refuse(f"two of its effects may change the same number, {met}")
-    return found
+        while pair := _meeting(parts, required):
+            if not all(each.always and _change(each).operator in _SUMMED for each in pair):
+                raise refuse(f"two of its effects may change the same number, {_change(pair[0]).target.name}")
+            parts = (*(each for each in parts if each not in pair), *_split(*pair))
+        found.append(replace(outcome, parts=parts))
+    return tuple(found)
 
 
 def _united(parts: tuple[Conditional, ...]) -> tuple[Conditional, ...]:
@@ -113,7 +125,7 @@ def _united(parts: tuple[Conditional, ...]) -> tuple[Conditional, ...]:
     others = []
     for part in parts:
         change = part.effect
-        if part.always and isinstance(change, Change) and change.operator in ("increase", "decrease"):
+        if part.always and isinstance(change, Change) and change.operator in _SUMMED:
             if change.target in amounts:
                 operator, amount = amounts[change.target].operator, amounts[change.target].amount
                 sign = "+" if change.operator == operator else "-"
@@ -131,17 +143,74 @@ def _combined(sign: str, one: Expression, other: Expression) -> Expression:
     return Arithmetic(sign, (one, other))
 
 
-def _meeting(parts: tuple[Conditional, ...]) -> str:
-    """The function of which two changes may be about the same number, or nothing."""
-    numbers = [part for part in parts if isinstance(part.effect, Change) and part.effect.target.name not in APART]
-    for part in numbers:
-        assert isinstance(part.effect, Change)
-        if not {each.name for each in part.variables} <= set(part.effect.target.args):
-            return part.effect.target.name
-    for one, other in combinations([part.effect for part in numbers], 2):
-        assert isinstance(one, Change) and isinstance(other, Change)
-        if one.target.name == other.target.name and all(
-            a == b or is_variable(a) or is_variable(b) for a, b in zip(one.target.args, other.target.args, strict=True)
-        ):
-            return one.target.name
+def _change(part: Conditional) -> Change:
+    assert isinstance(part.effect, Change)
+    return part.effect
+
+
+def _numbers(parts: Iterable[Conditional]) -> list[Conditional]:
+    """Those that change a number of the state."""
+    return [part for part in parts if isinstance(part.effect, Change) and part.effect.target.name not in APART]
+
+
+def _doubled(parts: Iterable[Conditional]) -> str:
+    """The function of a change that may come about several times for one number, or nothing."""
+    for part in _numbers(parts):
+        if not {each.name for each in part.variables} <= set(_change(part).target.args):
+            return _change(part).target.name
     return ""
+
+
+def _meeting(parts: Iterable[Conditional], required: set[frozenset[str]]) -> tuple[Conditional, Conditional] | None:
+    """Two changes that may be about the same number. `required`: the pairs of terms that the precondition has as
+    different objects."""
+    for one, other in combinations(_numbers(parts), 2):
+        if _change(one).target.name == _change(other).target.name and not _told_apart(one, other, required):
+            return one, other
+    return None
+
+
+def _told_apart(one: Conditional, other: Conditional, required: set[frozenset[str]]) -> bool:
+    """Whether the two never change the same number: their conditions exclude each other, or two arguments have
+    different names, or are said to be different."""
+    if not (one.variables or other.variables):
+        conditions = {*one.condition, *other.condition}
+        if Not(_same(one, other)) in conditions or any(Not(each) in conditions for each in conditions):
+            return True
+    inner, others_inner = ({each.name for each in part.variables} for part in (one, other))
+    for a, b in zip(_change(one).target.args, _change(other).target.args, strict=True):
+        if a != b and not is_variable(a) and not is_variable(b):
+            return True
+        said = set[frozenset[str]]()
+        if not {a, b} & (inner | others_inner):
+            said |= required
+        if b not in inner | others_inner:
+            said |= _different(one.condition)
+        if a not in inner | others_inner:
+            said |= _different(other.condition)
+        if a != b and frozenset((a, b)) in said:
+            return True
+    return False
+
+
+def _different(formulas: Iterable[Formula]) -> set[frozenset[str]]:
+    """The pairs of terms that are said to be different objects."""
+    equations = (each.part for each in formulas if isinstance(each, Not))
+    return {frozenset((each.left, each.right)) for each in equations if isinstance(each, Equal)}
+
+
+def _split(one: Conditional, other: Conditional) -> tuple[Conditional, ...]:
+    """Two changes, each for itself where they are about different numbers, and as one where these are the same."""
+    same = _same(one, other)
+    (united,) = _united((one, Conditional(replace(_change(other), target=_change(one).target))))
+    return tuple(
+        replace(part, condition=(*part.condition, condition))
+        for part, condition in ((one, Not(same)), (other, Not(same)), (united, same))
+    )
+
+
+def _same(one: Conditional, other: Conditional) -> Formula:
+    """That two changes are about the same number."""
+    pairs = zip(_change(one).target.args, _change(other).target.args, strict=True)
+    equations = tuple(Equal(a, b) for a, b in pairs if a != b)
+    return equations[0] if len(equations) == 1 else And(equations)

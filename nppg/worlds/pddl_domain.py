@@ -67,8 +67,10 @@ class PddlDomain(Domain):
         return Problems(names, partial(self._start, files))
 
     def _start(self, files: Sequence[Path], number: int) -> Interpretation:
+        return self.start_of(read_problem(files[number - 1], self.model))
+
+    def start_of(self, problem: PlanningProblem) -> Interpretation:
         """The start state of a problem. Raises NppgError where its goal cannot be reached."""
-        problem = read_problem(files[number - 1], self.model)
         if messages := unreachable(problem, self.model):
             raise NppgError(Problem(problem.file, 0, 0, message) for message in messages)
         data = problem_data(problem, self.model, self.names, self.wanted)
