@@ -64,6 +64,7 @@ class Domain:
         self._problems: Problems | None = None
         self.pddl: str = description["pddl"]  # the PDDL file that it comes from, or empty
         self.chosen: list[int] = []  # the problems that start states are drawn from, if not by start/1
+        self._chances = np.empty(0)  # of these, cumulated
         self.predicates = {tuple(each) for each in description["predicates"]}
         self.actions = {tuple(each) for each in description["actions"]}
         self.uniform_start: bool = description["uniform_start"] == "true"
@@ -117,7 +118,7 @@ class Domain:
                 message = "the domain has no start states: neither start/1 nor problems (see --problems)"
                 raise NppgError([Problem(str(self.path), 0, 0, message)])
         if self.chosen:
-            return self.problem(self.chosen[int(rng.random() * len(self.chosen))])
+            return self.problem(self._drawn(rng))
         self.forget()
         with randomness(rng):
             return self._loaded.begun(ask("draw", self.module))
@@ -130,6 +131,13 @@ class Domain:
             self._problems = Problems({number: f"problem {number}" for number in numbers}, self._begin, given=False)
         return self._problems.names
 
+    def _drawn(self, rng: np.random.Generator) -> int:
+        """One of the chosen problems, by chances that are inverse to their horizons."""
+        if len(self._chances) != len(self.chosen):
+            weights = np.array([1 / max(1, self.horizon(self.problem(number))) for number in self.chosen])
+            self._chances = weights.cumsum() / weights.sum()
+        return self.chosen[min(int(self._chances.searchsorted(rng.random(), "right")), len(self.chosen) - 1)]
+
     def _begin(self, number: int) -> Interpretation:
         self.forget()
         return self._loaded.begun(ask("begin", self.module, number))
@@ -141,20 +149,20 @@ class Domain:
         return self._problems.state(number)
 
     def with_problems(self, numbers: Iterable[int]) -> Self:
-        """The same domain with start states drawn from these problems, each as likely. Raises NppgError for numbers
-        that are none."""
+        """The same domain with start states drawn from these problems, so that each has its share of the steps: the
+        longer its horizon, the less often. Raises NppgError for numbers that are none."""
         numbers = [*map(alone, numbers)]
         for number in numbers:
             if number not in self.problems:
                 raise self._no_problem(number)
         other = copy.copy(self)
-        other.chosen = numbers
+        other.chosen, other._chances = numbers, np.empty(0)
         return other
 
     def over(self, problems: Problems) -> Self:
         """The same domain with other problems, from which start states are drawn."""
         other = copy.copy(self)
-        other._problems, other.chosen = problems, list(problems.names)
+        other._problems, other.chosen, other._chances = problems, list(problems.names), np.empty(0)
         return other
 
     def problems_of(self, files: Sequence[Path]) -> Problems:

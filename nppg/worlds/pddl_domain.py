@@ -61,18 +61,26 @@ class PddlDomain(Domain):
         return LanguageBias.parse(text, str(self.path.with_suffix(".yaml")))
 
     def problems_of(self, files: Sequence[Path]) -> Problems:
-        names = dict(enumerate(_names(files), 1))
         if any(file.suffix == ".pl" for file in files):
             return super().problems_of(files)
-        return Problems(names, partial(self._start, files))
+        files = problem_files(files, self.model)
+        return Problems(dict(enumerate(_names(files), 1)), partial(self._start, files))
 
     def _start(self, files: Sequence[Path], number: int) -> Interpretation:
         return self.start_of(read_problem(files[number - 1], self.model))
 
+    def _start_of_read(self, problems: Sequence[PlanningProblem], number: int) -> Interpretation:
+        return self.start_of(problems[number - 1])
+
+    def over_read(self, problems: Sequence[PlanningProblem]) -> PddlDomain:
+        """The same domain with these problems."""
+        names = _names([Path(each.file) for each in problems])
+        return self.over(Problems(dict(enumerate(names, 1)), partial(self._start_of_read, problems)))
+
     def start_of(self, problem: PlanningProblem) -> Interpretation:
         """The start state of a problem. Raises NppgError where its goal cannot be reached."""
-        if messages := unreachable(problem, self.model):
-            raise NppgError(Problem(problem.file, 0, 0, message) for message in messages)
+        if wrong := out_of_reach(problem, self.model):
+            raise NppgError(wrong)
         data = problem_data(problem, self.model, self.names, self.wanted)
         return Interpretation(sorted(data.fluents, key=standard_order), Static(sorted(data.static, key=standard_order)))
 
@@ -81,6 +89,20 @@ class PddlDomain(Domain):
         name, *args = action if isinstance(action, tuple) else (action,)
         own = {prolog: pddl for pddl, prolog in self.names.actions.items()}
         return f"({' '.join([own[str(name)], *map(str, args)])})"
+
+
+def out_of_reach(problem: PlanningProblem, domain: Pddl) -> list[Problem]:
+    """What the goal wants and no action can reach."""
+    return [Problem(problem.file, 0, 0, message) for message in unreachable(problem, domain)]
+
+
+def problem_files(files: Sequence[Path], domain: Pddl) -> list[Path]:
+    """Without the file of the domain, which a pattern like *.pddl brings along. Raises NppgError where none is left."""
+    source = domain.source.encode()
+    left = [file for file in files if file.stat().st_size != len(source) or file.read_bytes() != source]
+    if files and not left:
+        raise NppgError([Problem(str(files[0]), 0, 0, "this is the domain: name its problems, too")])
+    return left
 
 
 def _names(files: Sequence[Path]) -> list[str]:
@@ -105,9 +127,10 @@ def import_domain(
     pddl = read_domain(path)
     read: list[PlanningProblem] = []
     wrong: list[Problem] = []
-    for each in problems:
+    for each in problem_files(problems, pddl):
         try:
             read.append(read_problem(each, pddl))
+            wrong += out_of_reach(read[-1], pddl)
         except NppgError as error:
             wrong += error.problems
     if wrong:
@@ -120,6 +143,4 @@ def import_domain(
         file.write_text(text, encoding="utf-8")
         domain = PddlDomain(file, parameters, pddl)
     domain.path = Path(file.name)
-    if not problems:
-        return domain
-    return domain.over(domain.problems_of(list(problems)))
+    return domain.over_read(read) if read else domain

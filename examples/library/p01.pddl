@@ -1,0 +1,5 @@
+(define (problem library-1-3)
+  (:domain library)
+  (:objects b1 - book s1 s2 s3 - shelf)
+  (:init (cart-at s3) (cart-empty) (at b1 s2))
+  (:goal (and (at b1 s3))))

@@ -1,0 +1,5 @@
+(define (problem library-1-4)
+  (:domain library)
+  (:objects b1 - book s1 s2 s3 s4 - shelf)
+  (:init (cart-at s1) (cart-empty) (at b1 s4))
+  (:goal (and (at b1 s1))))

@@ -1,0 +1,5 @@
+(define (problem library-2-3)
+  (:domain library)
+  (:objects b1 b2 - book s1 s2 s3 - shelf)
+  (:init (cart-at s3) (cart-empty) (at b1 s1) (at b2 s1))
+  (:goal (and (at b1 s3) (at b2 s2))))

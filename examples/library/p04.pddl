@@ -1,0 +1,5 @@
+(define (problem library-2-4)
+  (:domain library)
+  (:objects b1 b2 - book s1 s2 s3 s4 - shelf)
+  (:init (cart-at s4) (cart-empty) (at b1 s2) (at b2 s1))
+  (:goal (and (at b1 s4) (at b2 s3))))

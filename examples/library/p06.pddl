@@ -1,0 +1,5 @@
+(define (problem library-3-4)
+  (:domain library)
+  (:objects b1 b2 b3 - book s1 s2 s3 s4 - shelf)
+  (:init (cart-at s2) (cart-empty) (at b1 s1) (at b2 s4) (at b3 s2))
+  (:goal (and (at b1 s4) (at b2 s1) (at b3 s1))))

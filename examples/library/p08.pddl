@@ -1,0 +1,5 @@
+(define (problem library-4-5)
+  (:domain library)
+  (:objects b1 b2 b3 b4 - book s1 s2 s3 s4 s5 - shelf)
+  (:init (cart-at s2) (cart-empty) (at b1 s5) (at b2 s2) (at b3 s4) (at b4 s1))
+  (:goal (and (at b1 s2) (at b2 s5) (at b3 s3) (at b4 s3))))

@@ -1,0 +1,5 @@
+(define (problem library-5-6)
+  (:domain library)
+  (:objects b1 b2 b3 b4 b5 - book s1 s2 s3 s4 s5 s6 - shelf)
+  (:init (cart-at s4) (cart-empty) (at b1 s2) (at b2 s3) (at b3 s3) (at b4 s5) (at b5 s1))
+  (:goal (and (at b1 s6) (at b2 s1) (at b3 s6) (at b4 s6) (at b5 s5))))

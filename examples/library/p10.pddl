@@ -1,0 +1,5 @@
+(define (problem library-8-8)
+  (:domain library)
+  (:objects b1 b2 b3 b4 b5 b6 b7 b8 - book s1 s2 s3 s4 s5 s6 s7 s8 - shelf)
+  (:init (cart-at s6) (cart-empty) (at b1 s2) (at b2 s6) (at b3 s5) (at b4 s6) (at b5 s8) (at b6 s3) (at b7 s5) (at b8 s6))
+  (:goal (and (at b1 s3) (at b2 s7) (at b3 s4) (at b4 s2) (at b5 s4) (at b6 s1) (at b7 s1) (at b8 s7))))

@@ -1,0 +1,5 @@
+(define (problem library-12-10)
+  (:domain library)
+  (:objects b1 b2 b3 b4 b5 b6 b7 b8 b9 b10 b11 b12 - book s1 s2 s3 s4 s5 s6 s7 s8 s9 s10 - shelf)
+  (:init (cart-at s7) (cart-empty) (at b1 s1) (at b2 s7) (at b3 s7) (at b4 s8) (at b5 s3) (at b6 s2) (at b7 s8) (at b8 s9) (at b9 s9) (at b10 s8) (at b11 s10) (at b12 s5))
+  (:goal (and (at b1 s9) (at b2 s6) (at b3 s1) (at b4 s1) (at b5 s4) (at b6 s4) (at b7 s6) (at b8 s6) (at b9 s5) (at b10 s2) (at b11 s6) (at b12 s1))))

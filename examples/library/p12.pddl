@@ -1,0 +1,5 @@
+(define (problem library-20-15)
+  (:domain library)
+  (:objects b1 b2 b3 b4 b5 b6 b7 b8 b9 b10 b11 b12 b13 b14 b15 b16 b17 b18 b19 b20 - book s1 s2 s3 s4 s5 s6 s7 s8 s9 s10 s11 s12 s13 s14 s15 - shelf)
+  (:init (cart-at s7) (cart-empty) (at b1 s2) (at b2 s6) (at b3 s10) (at b4 s15) (at b5 s6) (at b6 s15) (at b7 s9) (at b8 s5) (at b9 s6) (at b10 s3) (at b11 s2) (at b12 s3) (at b13 s12) (at b14 s8) (at b15 s12) (at b16 s2) (at b17 s9) (at b18 s1) (at b19 s12) (at b20 s6))
+  (:goal (and (at b1 s4) (at b2 s9) (at b3 s6) (at b4 s3) (at b5 s5) (at b6 s12) (at b7 s2) (at b8 s11) (at b9 s5) (at b10 s13) (at b11 s11) (at b12 s12) (at b13 s5) (at b14 s3) (at b15 s1) (at b16 s10) (at b17 s7) (at b18 s4) (at b19 s10) (at b20 s14))))
