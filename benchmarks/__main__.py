@@ -1,6 +1,7 @@
 """Prints the table of docs/performance.md.
 
-python -m benchmarks [NAME...] [--write docs/performance.md]     NAME: coverage, one_tree, potentials, training
+python -m benchmarks [NAME...] [--write docs/performance.md]     NAME: coverage, one_tree, potentials, training,
+                                                                 large_states
 python -m benchmarks profile [--write docs/performance.md]       where the time of a training run of each learner goes
 """
 
@@ -15,7 +16,7 @@ from pathlib import Path
 
 from benchmarks.common import Row
 
-NAMES = ("coverage", "one_tree", "potentials", "training")
+NAMES = ("coverage", "one_tree", "potentials", "training", "large_states")
 HEAD = "| what | measured | against | target | met |\n|---|---|---|---|---|"
 
 
