@@ -4,7 +4,8 @@
           ]).
 
 :- use_module(library(apply), [include/3, partition/4]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [member/2, same_length/2]).
+:- use_module(library(ordsets), [ord_subtract/3]).
 :- use_module(contract, [declared/2]).
 :- use_module(guard, [guarded_findall/4]).
 :- use_module(join_order, [few/2, ordered/4, outgrown/3]).
@@ -20,7 +21,8 @@ action has the value.
 */
 
 :- dynamic
-    ordered/3.                   % Policy, Size (see outgrown/3), Groups: of group(Value, Numbers, Hidden), from the highest value on
+    ordered/3.                   % Policy, Size (see outgrown/3), Groups: of group(Value, Rules, Hidden), from the highest
+                                 % value on, where a rule is rule(Number, Kind)
 
 %!  preferred(+Policy, -Actions) is det.
 %
@@ -29,8 +31,8 @@ action has the value.
 preferred(Policy, Actions) :-
     module_of(Policy, Module),
     by_value(Policy, Groups),
-    (   member(group(Value, Numbers, Hidden), Groups),
-        guarded_findall(Action, Module:(action/1), legal(Policy, Module, Numbers, Action), Found),
+    (   member(group(Value, Rules, Hidden), Groups),
+        guarded_findall(Action, Module:(action/1), legal(Policy, Module, Rules, Action), Found),
         sort(Found, Sorted),
         (   Hidden == true
         ->  include(has(Policy, Value), Sorted, Actions)
@@ -41,17 +43,22 @@ preferred(Policy, Actions) :-
     ;   Actions = []
     ).
 
-legal(Policy, Module, Numbers, Action) :-
-    member(Number, Numbers),
+legal(Policy, Module, Rules, Action) :-
+    member(rule(Number, Kind), Rules),
+    (   Kind = Name/Arity
+    ->  functor(Action, Name, Arity)
+    ;   true
+    ),
     Policy:'$rule'(Number, Module, Action).
 
 has(Policy, Value, Action) :-
     potential(Policy, Action, Own),
     Own =:= Value.
 
-%   The rules are compiled when they are first asked: '$rule'(Number, Module, Action). What is not about the action comes
-%   first, and once. The action follows; only where the domain file is written from PDDL, so that it gives the same actions
-%   however they are asked for, the literals with few answers may bind its arguments before.
+%   The rules are compiled when they are first asked: '$rule'(Number, Module, Action). A rule about all actions becomes one
+%   for each kind of which no earlier rule has taken all actions. What is not about the action comes first, and once. The
+%   action follows; only where the domain file is written from PDDL, so that it gives the same actions however they are
+%   asked for, the literals with few answers may bind its arguments before.
 
 by_value(Policy, Groups) :-
     module_of(Policy, Module),
@@ -65,23 +72,60 @@ by_value(Policy, Groups) :-
     ;   outgrown(Module, -1, Next),
         findall(Action-Value-Body, rule(Policy, 1, ( delta(1, Action, Value) :- Body )), Rules),
         forget_rules(Policy),
-        compiled(Rules, Policy, Module, 0, Pairs),
+        kinds(Module, Kinds),
+        compiled(Rules, Policy, Module, Kinds, 0, Pairs),
         keysort(Pairs, Rising),
         grouped(Rising, [], Groups),
         assertz(ordered(Policy, Next, Groups))
     ).
 
-compiled([], _, _, _, []).
-compiled([Action-Value-Body|Rules], Policy, Module, Number, [Value-Number|Pairs]) :-
+%   The kinds of actions, [any] where they cannot be told from the heads of the clauses.
+
+kinds(Module, Kinds) :-
+    findall(Action, clause(Module:action(Action), _), Heads),
+    (   member(Head, Heads), var(Head)
+    ->  Kinds = [any]
+    ;   findall(Name/Arity, ( member(Head, Heads), functor(Head, Name, Arity) ), Found),
+        sort(Found, Kinds)
+    ).
+
+compiled([], _, _, _, _, []).
+compiled([Action-Value-Body|Rules], Policy, Module, Kinds, Number, Pairs) :-
     without_cut(Body, Literals),
+    (   nonvar(Action)
+    ->  functor(Action, Name, Arity),
+        Own = [Name/Arity]
+    ;   Own = Kinds
+    ),
+    findall(Value-rule(Number, Kind), member(Kind, Own), Pairs, More),
+    forall(member(Kind, Own), compile(Action, Kind, Literals, Policy, Module, Number)),
+    (   Literals == [], takes_all(Action)
+    ->  ord_subtract(Kinds, Own, Left)
+    ;   Left = Kinds
+    ),
+    Next is Number+1,
+    compiled(Rules, Policy, Module, Left, Next, More).
+
+takes_all(Action) :-
+    (   compound(Action)
+    ->  Action =.. [_|Args],
+        term_variables(Args, Variables),
+        same_length(Args, Variables)
+    ;   true
+    ).
+
+compile(Action0, Kind, Literals0, Policy, Module, Number) :-
+    copy_term(Action0-Literals0, Action-Literals),
+    (   Kind = Name/Arity
+    ->  functor(Action, Name, Arity)
+    ;   true
+    ),
     term_variables(Action, Own),
     connected(Literals, Own, About, Others),
     ordered(Module, [], Others, Conditions),
     conjunction(Conditions, Condition),
     asked(Action, About, Module, Goal),
-    assertz(Policy:( '$rule'(Number, Module, Action) :- \+ \+ Condition, Goal )),
-    Next is Number+1,
-    compiled(Rules, Policy, Module, Next, Pairs).
+    assertz(Policy:( '$rule'(Number, Module, Action) :- \+ \+ Condition, Goal )).
 
 %!  asked(+Action, +Literals, +Module, -Goal) is det.
 
@@ -145,23 +189,24 @@ without_cut(Body, Goals) :-
     ;   Goals = [Body]
     ).
 
-%   The last pairs come first. An action that meets one of the rules may have another value where an earlier rule has a
-%   lower one: the rules are hidden then.
+%   The last pairs come first. An action that meets one of the rules may have another value where an earlier rule about
+%   its kind has a lower one: the rules are hidden then.
 
 grouped([], Groups, Groups).
-grouped([Value-Number|Pairs], Groups0, Groups) :-
-    (   Groups0 = [group(Same, Numbers, Hidden0)|Others],
+grouped([Value-Rule|Pairs], Groups0, Groups) :-
+    (   Groups0 = [group(Same, Rules, Hidden0)|Others],
         Same =:= Value
-    ->  hidden(Number, Others, Hidden0, Hidden),
-        grouped(Pairs, [group(Same, [Number|Numbers], Hidden)|Others], Groups)
-    ;   hidden(Number, Groups0, false, Hidden),
-        grouped(Pairs, [group(Value, [Number], Hidden)|Groups0], Groups)
+    ->  hidden(Rule, Others, Hidden0, Hidden),
+        grouped(Pairs, [group(Same, [Rule|Rules], Hidden)|Others], Groups)
+    ;   hidden(Rule, Groups0, false, Hidden),
+        grouped(Pairs, [group(Value, [Rule], Hidden)|Groups0], Groups)
     ).
 
-hidden(Number, Lower, Hidden0, Hidden) :-
-    (   member(group(_, Numbers, _), Lower),
-        member(Earlier, Numbers),
-        Earlier < Number
+hidden(rule(Number, Kind), Lower, Hidden0, Hidden) :-
+    (   member(group(_, Rules, _), Lower),
+        member(rule(Earlier, Other), Rules),
+        Earlier < Number,
+        ( Other == Kind ; Other == any ; Kind == any )
     ->  Hidden = true
     ;   Hidden = Hidden0
     ).
