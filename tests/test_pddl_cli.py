@@ -147,5 +147,6 @@ def test_a_goal_that_no_action_can_reach(tmp_path: Path, capsys: pytest.CaptureF
     domain.write_text("(define (domain d) (:predicates (lit) (on)) (:action press :effect (on)))")
     problem.write_text("(define (problem p) (:domain d) (:init) (:goal (and (on) (lit))))")
     assert main(["import", str(domain), str(problem), "--output", str(tmp_path / "out")]) == 2
-    assert "the goal (lit) cannot be reached: it does not hold, and no action adds lit" in capsys.readouterr().err
+    error = capsys.readouterr().err
+    assert f"{problem}:1:41: the goal (lit) cannot be reached: it does not hold, and no action adds lit" in error
     assert not (tmp_path / "out").exists()

@@ -221,7 +221,7 @@ class Metric:
 @dataclass(frozen=True, slots=True)
 class PlanningProblem:
     """A PDDL problem. `objects` does not have the domain's constants; `values` are the numbers of the initial state;
-    `goal_reward` is PPDDL's, 0 where the file has none."""
+    `goal_reward` is PPDDL's, 0 where the file has none; `goal_place`: line and column of its goal."""
 
     file: str
     name: str
@@ -232,3 +232,4 @@ class PlanningProblem:
     goal: Formula
     metric: Metric | None
     goal_reward: Number
+    goal_place: tuple[int, int] = (0, 0)

@@ -73,6 +73,7 @@ def problem_of(document: Document, domain: Domain) -> PlanningProblem:
         goal,
         metric,
         reward,
+        document.place(found[":goal"][0].at) if found[":goal"] else (0, 0),
     )
 
 

@@ -93,7 +93,7 @@ class PddlDomain(Domain):
 
 def out_of_reach(problem: PlanningProblem, domain: Pddl) -> list[Problem]:
     """What the goal wants and no action can reach."""
-    return [Problem(problem.file, 0, 0, message) for message in unreachable(problem, domain)]
+    return [Problem(problem.file, *problem.goal_place, message) for message in unreachable(problem, domain)]
 
 
 def problem_files(files: Sequence[Path], domain: Pddl) -> list[Path]:
