@@ -157,3 +157,14 @@ def test_states_go_and_come_back_in_any_order(roads: Domain) -> None:
             reward, following = domain.act(state, action, rng)
             assert reward == 1 and domain.situation(following).status == "goal"
             assert ask("intact", domain.module) == "true"
+
+
+def test_static_facts_count_for_the_limit(roads: Domain) -> None:
+    text = roads.path.read_text().replace(
+        "action(go(X, Y)) :- at(X), road(X, Y).",
+        "action(go(X, Y)) :- at(X), between(1, 30, _), road(A, _), atom_length(A, N), N > 0, A == X, Y = b.",
+    )
+    domain = Domain(written(roads.path.parent, text.replace(":- module(roads", ":- module(wide")))
+    far = ", ".join(f"road(x{i}, y)" for i in range(40_000))
+    state = domain.state(f"at(a), home(b), road(a, b), {far}")
+    assert domain.situation(state).actions == [("go", "a", "b")]
