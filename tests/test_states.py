@@ -10,11 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from nppg import Domain, LanguageBias, NppgError, open_domain
+from nppg import Domain, LanguageBias, NppgError, Policy, open_domain
 from nppg.answers.table import TestTable
 from nppg.bias.refinement import Refiner
 from nppg.bridge.prolog import ask
+from nppg.experiments.runs import run
 from nppg.judging.space import Space
+from nppg.learning.options import Options
 from nppg.worlds.legal import LegalActions
 from nppg.worlds.state import Interpretation, static_of
 
@@ -168,3 +170,14 @@ def test_static_facts_count_for_the_limit(roads: Domain) -> None:
     far = ", ".join(f"road(x{i}, y)" for i in range(40_000))
     state = domain.state(f"at(a), home(b), road(a, b), {far}")
     assert domain.situation(state).actions == [("go", "a", "b")]
+
+
+def test_problems_of_an_earlier_run_do_not_stay_beside_the_model(tmp_path: Path) -> None:
+    path = written(tmp_path, ROADS)
+    problems = tmp_path / "far.pl"
+    problems.write_text("problem(far, [at(a), road(a, z), home(z)]).\n")
+    bias = LanguageBias.parse("action: go(place, place)\ntypes: {home: [place]}\nmodes: [home(+)]\n", "roads.yaml")
+    output = tmp_path / "run"
+    for given in ([problems], []):
+        run(open_domain(path, problems=given), bias, Options(episodes=1), output, 0)
+    assert Policy.load(output / "model.pl").domain.chosen == []
