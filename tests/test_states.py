@@ -17,6 +17,7 @@ from nppg.bridge.prolog import ask
 from nppg.experiments.runs import run
 from nppg.judging.space import Space
 from nppg.learning.options import Options
+from nppg.rrl.options import RIBOptions
 from nppg.worlds.legal import LegalActions
 from nppg.worlds.state import Interpretation, static_of
 
@@ -181,3 +182,12 @@ def test_problems_of_an_earlier_run_do_not_stay_beside_the_model(tmp_path: Path)
     for given in ([problems], []):
         run(open_domain(path, problems=given), bias, Options(episodes=1), output, 0)
     assert Policy.load(output / "model.pl").domain.chosen == []
+
+
+def test_stored_instances_have_their_static_facts(tmp_path: Path) -> None:
+    domain = Domain(written(tmp_path, ROADS))
+    bias = LanguageBias.parse("action: go(place, place)\ntypes: {home: [place]}\nmodes: [home(+)]\n", "roads.yaml")
+    run(domain, bias, RIBOptions(episodes=3), tmp_path / "run", 0)
+    learned = Policy.load(tmp_path / "run" / "model.pl")
+    stored = learned.facts["instance"]
+    assert stored and all(any(fact[0] == "home" for fact in each[4][1:]) for each in stored)
