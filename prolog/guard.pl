@@ -12,7 +12,7 @@
           ]).
 
 :- use_module(library(lists), [member/2]).
-:- use_module(interpretation, [facts/2]).
+:- use_module(interpretation, [all_facts/2]).
 
 /** <module> Running a domain's code safely
 
@@ -45,7 +45,7 @@ guarded(Predicate, Goal) :-
 guarded(Predicate, Asked, Goal) :-
     inference_limit(Least),
     Predicate = Module:_,
-    facts(Module, Facts),
+    all_facts(Module, Facts),
     Limit is Least*max(100, Asked+Facts)//100,
     statistics(inferences, Before),
     (   catch(call_with_inference_limit(Goal, Limit, Result), Error, note_abort(Error, Predicate, Limit, Before))

@@ -2,6 +2,7 @@
           [ interpret/2,         % +Module, +Facts       det
             interpretation/2,    % +Module, -Facts       det
             facts/2,             % +Module, -Count       det
+            all_facts/2,         % +Module, -Count       det
             effective/5,         % +Module, +Delete, +Add, -Gone, -New  det
             change/3,            % +Module, +Gone, +New  det
             new_static/3,        % +Module, +Facts, -Number  det
@@ -31,7 +32,7 @@ of its states: they are exchanged when a state of another problem becomes curren
     current/3,                   % Module, Facts or `changed`, their number
     static_facts/3,              % Module, Number, Facts
     numbers/2,                   % Module, Number: the last one that was given
-    enforced/2,                  % Module, Number: none where it is 0
+    enforced/3,                  % Module, Number, how many facts: none where it is 0
     tabling/1.                   % Module: its tables hold for one interpretation only
 
 %   Of larger states the list of facts is made only where it is asked for.
@@ -64,6 +65,15 @@ facts(Module, Count) :-
     (   current(Module, _, Known)
     ->  Count = Known
     ;   Count = 0
+    ).
+
+%!  all_facts(+Module, -Count) is det: how many facts hold, static ones among them.
+
+all_facts(Module, Count) :-
+    facts(Module, Own),
+    (   enforced(Module, _, Static)
+    ->  Count is Own+Static
+    ;   Count = Own
     ).
 
 interpret(Module, Facts) :-
@@ -169,7 +179,7 @@ drop_static(Module, Number) :-
     retractall(static_facts(Module, Number, _)).
 
 in_force(Module, Number) :-
-    (   enforced(Module, Known)
+    (   enforced(Module, Known, _)
     ->  Number = Known
     ;   Number = 0
     ).
@@ -191,10 +201,11 @@ enforce(Module, Number) :-
         ;   forall(( Module:nppg_static(Name/Arity), functor(Head, Name, Arity) ), retractall(Module:Head))
         ),
         assertz_all(Facts, Module),
-        retractall(enforced(Module, _)),
+        retractall(enforced(Module, _, _)),
         (   Number == 0
         ->  true
-        ;   assertz(enforced(Module, Number))
+        ;   length(Facts, Count),
+            assertz(enforced(Module, Number, Count))
         ),
         drop_answers(Module)
     ).
@@ -221,7 +232,7 @@ forget_tables(Module) :-
 
 forget(Module) :-
     retractall(tabling(Module)),
-    retractall(enforced(Module, _)),
+    retractall(enforced(Module, _, _)),
     retractall(numbers(Module, _)),
     retractall(static_facts(Module, _, _)),
     retractall(current(Module, _, _)).

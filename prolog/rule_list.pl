@@ -3,11 +3,13 @@
             forget_rules/1       % +Policy                       det
           ]).
 
+:- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [include/3, partition/4]).
 :- use_module(library(lists), [member/2, same_length/2]).
 :- use_module(library(ordsets), [ord_subtract/3]).
 :- use_module(contract, [declared/2]).
-:- use_module(guard, [guarded_findall/4]).
+:- use_module(domain, [actions/2]).
+:- use_module(guard, [guarded/3, guarded_findall/4]).
 :- use_module(join_order, [few/2, ordered/4, outgrown/3]).
 :- use_module(potential, [module_of/2, potential/3, rule/3]).
 :- use_module(terms, [conjunction/2]).
@@ -31,17 +33,36 @@ action has the value.
 preferred(Policy, Actions) :-
     module_of(Policy, Module),
     by_value(Policy, Groups),
+    catch(best(Groups, Policy, Module, Actions), nppg_fault(_, _), scored(Policy, Module, Actions)).
+
+best(Groups, Policy, Module, Actions) :-
     (   member(group(Value, Rules, Hidden), Groups),
-        guarded_findall(Action, Module:(action/1), legal(Policy, Module, Rules, Action), Found),
-        sort(Found, Sorted),
-        (   Hidden == true
-        ->  include(has(Policy, Value), Sorted, Actions)
-        ;   Actions = Sorted
-        ),
-        Actions \== []
-    ->  must_be_actions(Module, action/1, Actions)
+        guarded_findall(Action, Module:test/0, valued(Policy, Module, Rules, Hidden, Value, Action), Found),
+        Found \== []
+    ->  sort(Found, Actions),
+        must_be_actions(Module, action/1, Actions)
     ;   Actions = []
     ).
+
+valued(Policy, Module, Rules, Hidden, Value, Action) :-
+    legal(Policy, Module, Rules, Action),
+    (   Hidden == true
+    ->  has(Policy, Value, Action)
+    ;   true
+    ).
+
+%   Where that takes too long for a question about the state, or goes wrong, all actions are scored: then it is clear
+%   how much there is to ask, and what is at fault.
+
+scored(Policy, Module, Best) :-
+    actions(Module, Actions),
+    must_be_actions(Module, action/1, Actions),
+    length(Actions, Count),
+    aggregate_all(count, rule(Policy, 1, _), Rules),
+    Asked is Rules*Count,
+    guarded(Module:test/0, Asked, findall(Value-Action, ( member(Action, Actions), potential(Policy, Action, Value) ), Pairs)),
+    aggregate_all(max(Value), member(Value-_, Pairs), Highest),
+    findall(Action, ( member(Value-Action, Pairs), Value =:= Highest ), Best).
 
 legal(Policy, Module, Rules, Action) :-
     member(rule(Number, Kind), Rules),

@@ -21,7 +21,7 @@ from nppg.bridge.terms import encoded, plain
 from nppg.errors import NppgError
 from nppg.logic.query import Literal, Query
 from nppg.worlds.domain import Domain
-from nppg.worlds.state import facts_of
+from nppg.worlds.state import Interpretation, facts_of
 from nppg.worlds.world import Action, State
 
 Known = Mapping[Query, np.ndarray]
@@ -43,6 +43,7 @@ class Coverage:
         self.table = table
         self.states = states
         self.actions = actions
+        self._kept: list[Interpretation] = []  # the states that Prolog has, for their static facts are kept there
         self.bits = self._ask_table() if bits is None else bits
 
     def _runs(self) -> list[tuple[int, int]]:
@@ -116,7 +117,7 @@ class Coverage:
             numbers = np.repeat(np.arange(len(runs)), [b - a for a, b in runs]).tolist()
             pairs = [[number, action] for number, action in zip(numbers, plain(self.actions), strict=True)]
             table.domain.forget()
-            states = [self.states[a] for a, _ in runs]
+            self._kept = states = [table.domain.interpreted(self.states[a]) for a, _ in runs]
             ask("examples", table.name, [[table.domain.static_number(each), facts_of(each)] for each in states], pairs)
             table.loaded = weakref.ref(self)
 

@@ -206,11 +206,13 @@ class TestTable(Table):
         return located(error, self.bias, tests, fails)
 
     def _asked(self, state: State, actions: Sequence[Action]) -> np.ndarray:
-        self.domain.visit(state)
         if isinstance(actions, LegalActions) and actions.state is state:
+            self.domain.visit(state)
             kinds, words = ask("answers_legal", self.name, actions.serial)
         else:
-            kinds, words = ask("answers", self.name, plain(actions))
+            given = plain(actions)  # before the visit: legal actions of another state may have to be found there
+            self.domain.visit(state)
+            kinds, words = ask("answers", self.name, given)
         if len(set(kinds)) == 1:
             return self._groups[kinds[0]].rows(words, len(actions))
         result = np.empty((len(actions), len(self)), float if self.numeric else bool)

@@ -20,6 +20,7 @@ from nppg.experiments.progress import Point, Progress, sizes, title
 from nppg.policy.copies import conflicts, recorded_hashes, write_copies
 from nppg.policy.model import write_model
 from nppg.worlds.domain import Domain
+from nppg.worlds.problems import BESIDE
 
 _FILES = ("model.pl", "run.json", "curve.csv", "curve.png")
 
@@ -41,7 +42,8 @@ def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[st
     their names. Raises NppgError at the end where a file has come into the way of a copy since the run began."""
     policy, options = progress.policy, progress.options
     domain = policy.domain
-    rerun = bool(recorded_hashes(output))
+    earlier = recorded_hashes(output)
+    rerun = bool(earlier)
     copies = _copies(domain, bias)
     problems = conflicts(output, copies, _FILES)
     copies = {name: source for name, source in copies.items() if name not in problems}
@@ -53,6 +55,9 @@ def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[st
         *(("curve", ("=", name, value)) for name, value in progress.judging.items() if until and value is not None),
         ("trained_episodes", progress.episodes),
     ]
+    for name in {name for name in earlier if name.endswith(BESIDE)} - set(copies) - set(problems):
+        if (output / name).is_file() and sha256((output / name).read_bytes()) == earlier[name]:
+            (output / name).unlink()  # the problems of an earlier run, which would be taken for this one's
     write_copies(output, copies)
     write_model(policy, output / "model.pl", facts)
     summary = {

@@ -48,6 +48,9 @@ class Space:
                 f"{domain.path}: exact evaluation needs a finite space with a uniform start distribution, which the "
                 "domain does not declare (:- uniform_start); evaluate on sampled starts"
             )
+        if domain.static or domain.chosen:
+            what = "problems with static facts" if domain.static else "chosen problems"
+            raise NppgError(f"{domain.path}: exact evaluation is not for {what}; evaluate on sampled starts")
         self.domain = domain
         self.limit = limit
         rng = np.random.default_rng(0)

@@ -93,7 +93,7 @@ def generate_episode(
     greedy = greedy or (policy.greedy and not learning)
     guided = guidance > 0 and bool(rng.random() < guidance)
     state = domain.start(rng) if start is None else start
-    met = None if revisits else {interpretation_of(state).fingerprint}
+    met = None if revisits else {policy.domain.interpreted(state).fingerprint}
     most = longest(domain.horizon(state), horizon_factor)
     steps: list[Step] = []
     lean = greedy and revisits and not (guided or learning or policy.domain.has_observation) and policy.is_rules

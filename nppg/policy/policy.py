@@ -113,8 +113,9 @@ class Policy:
 
     def prolog_potentials(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """Psi(s, a) summed clause by clause in Prolog."""
+        given = plain(actions)
         self.domain.visit(state)
-        return np.array(ask("potentials", self.name, plain(actions)))
+        return np.array(ask("potentials", self.name, given))
 
     def distribution(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """pi(s, a) of each action, shape (actions,)."""

@@ -25,6 +25,7 @@ from nppg.rrl.options import InstanceOptions, RIBOptions, TrendiOptions
 from nppg.rrl.qfunction import Example, QFunction
 from nppg.trees.tilde import best_split
 from nppg.trees.tree import Tree
+from nppg.worlds.state import static_of
 from nppg.worlds.world import Action, State
 
 
@@ -139,7 +140,9 @@ class InstanceTree:
         facts += [("power", self.options.power)] if self.options.power != 1 else []
         for rule, leaf in enumerate(self.tree.in_order(), 1):
             for _, value, state, action in self.leaves[leaf].examples():
-                facts.append(("instance", ("instance", rule, action, value, ("state", *state))))
+                facts.append(
+                    ("instance", ("instance", rule, action, value, ("state", *static_of(state).facts, *state)))
+                )
         return policy, facts
 
 
@@ -160,7 +163,7 @@ def restored(policy: Policy, path: Path) -> QFunction:
             case ("instance", int(rule), action, float(value), ("state", *facts_of_state)) if 1 <= rule <= len(
                 regressor.leaves
             ) and _is_pair(policy, tuple(facts_of_state), action):
-                state = tuple(facts_of_state)
+                state = policy.domain.interpreted(tuple(facts_of_state))
                 number = int(distance.describe(state, [action])[0])
                 regressor.leaves[rule - 1].store(number, value, state, action)
             case _:
@@ -174,7 +177,9 @@ def restored(policy: Policy, path: Path) -> QFunction:
 def _is_pair(policy: Policy, state: State, action: Action) -> bool:
     """Whether facts and action are the domain's, as far as their names and arities go."""
     known = {(each.name, len(each.types)) for each in policy.bias.actions}
-    return _indicator(action) in known and all(_indicator(fact) in policy.domain.fluents for fact in state)
+    return _indicator(action) in known and all(
+        _indicator(fact) in policy.domain.fluents | policy.domain.static for fact in state
+    )
 
 
 def _indicator(term: object) -> tuple:

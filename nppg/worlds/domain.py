@@ -10,7 +10,7 @@ import copy
 import hashlib
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -22,7 +22,7 @@ from nppg.errors import NppgError, Problem
 from nppg.worlds.legal import LegalActions
 from nppg.worlds.loaded import Loaded
 from nppg.worlds.problems import BESIDE, Problems, numbered, problems_in, problems_text
-from nppg.worlds.state import NOTHING, Interpretation, Static, facts_of, interpretation_of, static_of
+from nppg.worlds.state import Interpretation, facts_of, static_facts
 from nppg.worlds.world import Action, Outcome, Situation, State
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ class Domain:
         self._numbers_problems: bool = description["problems"] == "true"
         self._problems: Problems | None = None
         self.pddl: str = description["pddl"]  # the PDDL file that it comes from, or empty
-        self.chosen: list[int] = []  # the problems that start states are drawn from, if not by start/1
+        self._chosen: list[int] = []
         self._chances = np.empty(0)  # of these, cumulated
         self.predicates = {tuple(each) for each in description["predicates"]}
         self.actions = {tuple(each) for each in description["actions"]}
@@ -96,15 +96,19 @@ class Domain:
         is no text of ground facts of declared fluents."""
         known = [f"{name}/{arity}" for name, arity in self.fluents | self.static]
         static, facts = ask("state_of", self.module, text.strip().removesuffix("."), known)
-        return Interpretation(ground(facts), Static(ground(static)) if static else NOTHING)
+        return Interpretation(ground(facts), static_facts(ground(static)))
 
     def visit(self, state: State) -> None:
         """Makes a state the current interpretation in Prolog."""
         self._loaded.visit(state)
 
-    def static_number(self, state: State) -> int:
+    def interpreted(self, state: State) -> Interpretation:
+        """A state that somebody may have made of facts, static ones among them."""
+        return self._loaded.interpreted(state)
+
+    def static_number(self, state: Interpretation) -> int:
         """Under which Prolog keeps the static facts of a state."""
-        return self._loaded.number(static_of(state))
+        return self._loaded.number(state.static)
 
     def forget(self) -> None:
         """To be called by who makes another state current behind this object's back."""
@@ -112,16 +116,20 @@ class Domain:
 
     def start(self, rng: np.random.Generator) -> State:
         """Draws a start state."""
-        if not (self.chosen or self.has_start):
-            self.chosen = list(self.problems)
-            if not self.chosen:
-                message = "the domain has no start states: neither start/1 nor problems (see --problems)"
-                raise NppgError([Problem(str(self.path), 0, 0, message)])
         if self.chosen:
             return self.problem(self._drawn(rng))
-        self.forget()
+        if not self.has_start:
+            message = "the domain has no start states: neither start/1 nor problems (see --problems)"
+            raise NppgError([Problem(str(self.path), 0, 0, message)])
         with randomness(rng):
-            return self._loaded.begun(ask("draw", self.module))
+            return cast("Interpretation", self._loaded.begun("draw"))
+
+    @property
+    def chosen(self) -> list[int]:
+        """The problems that start states are drawn from; none where start/1 draws them."""
+        if not (self._chosen or self.has_start):
+            self._chosen = list(self.problems)
+        return self._chosen
 
     @property
     def problems(self) -> Mapping[int, str]:
@@ -139,30 +147,31 @@ class Domain:
         return self.chosen[min(int(self._chances.searchsorted(rng.random(), "right")), len(self.chosen) - 1)]
 
     def _begin(self, number: int) -> Interpretation:
-        self.forget()
-        return self._loaded.begun(ask("begin", self.module, number))
+        if (begun := self._loaded.begun("begin", number)) is None:
+            raise self._no_problem(number)
+        return begun
 
     def problem(self, number: int) -> State:
         """The start state of a problem. Raises NppgError where there is none of this number."""
         if number not in self.problems or self._problems is None:
             raise self._no_problem(number)
-        return self._problems.state(number)
+        return self._problems.state(alone(number))
 
     def with_problems(self, numbers: Iterable[int]) -> Self:
-        """The same domain with start states drawn from these problems, so that each has its share of the steps: the
-        longer its horizon, the less often. Raises NppgError for numbers that are none."""
+        """The same domain with start states drawn from these problems, those with a longer horizon less often. Raises
+        NppgError for numbers that are none."""
         numbers = [*map(alone, numbers)]
         for number in numbers:
             if number not in self.problems:
                 raise self._no_problem(number)
         other = copy.copy(self)
-        other.chosen, other._chances = numbers, np.empty(0)
+        other._chosen, other._chances = numbers, np.empty(0)
         return other
 
     def over(self, problems: Problems) -> Self:
         """The same domain with other problems, from which start states are drawn."""
         other = copy.copy(self)
-        other._problems, other.chosen, other._chances = problems, list(problems.names), np.empty(0)
+        other._problems, other._chosen, other._chances = problems, list(problems.names), np.empty(0)
         return other
 
     def problems_of(self, files: Sequence[Path]) -> Problems:
@@ -206,7 +215,7 @@ class Domain:
             return state
         self.visit(state)
         with randomness(rng):
-            return Interpretation(ground(ask("observed", self.module)), static_of(state))
+            return Interpretation(ground(ask("observed", self.module)), self.interpreted(state).static)
 
     def expert_actions(self, state: State) -> list[Action]:
         """What the domain's expert would do, none if it has no advice."""
@@ -219,7 +228,7 @@ class Domain:
         Nearly always that state's situation is asked for next: Prolog brings it along, `lean` or not."""
         self.visit(state)
         self.forget()
-        before = interpretation_of(state)
+        before = self.interpreted(state)
         with randomness(rng):
             reward, gone, new, self._loaded.situation = ask("act", self.module, lean, *plain([action]))
         self._loaded.current = following = before.changed(ground(gone), ground(new))
@@ -228,7 +237,7 @@ class Domain:
     def certain(self, state: State, action: Action) -> State | None:
         """The state that an action leads to, None where that is left to chance."""
         self.visit(state)
-        before = interpretation_of(state)
+        before = self.interpreted(state)
         change = ask("certain", self.module, *plain([action]))
         return before.changed(*map(ground, change)) if change else None
 
@@ -246,7 +255,7 @@ class Domain:
         """Every legal action, also of a goal or terminal state, with all its outcomes."""
         self.visit(state)
         facts, found = ask("neighbours", self.module)
-        own, static = ground(facts), static_of(state)
+        own, static = ground(facts), self.interpreted(state).static
 
         def successor(facts: list) -> State:
             return Interpretation((own[fact] if isinstance(fact, int) else ground(fact) for fact in facts), static)

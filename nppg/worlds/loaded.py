@@ -9,7 +9,15 @@ from weakref import WeakValueDictionary
 
 from nppg.bridge.prolog import ask, check_thread, drop_with
 from nppg.bridge.terms import Ground, ground, plain
-from nppg.worlds.state import NOTHING, Interpretation, Static, facts_of, static_of
+from nppg.worlds.state import (
+    NOTHING,
+    Interpretation,
+    Static,
+    facts_of,
+    interpretation_of,
+    static_facts,
+    static_of,
+)
 
 
 class Loaded:
@@ -24,29 +32,52 @@ class Loaded:
         self.current: Sequence[Ground] | None = None
         self.situation: list | None = None  # that of the current state, where it is known
         self._static: WeakValueDictionary[int, Static] = WeakValueDictionary()
-        self.keep(NOTHING, 0)
+        self._names = {tuple(each) for each in self.description["static"]}
+        self._made: tuple[object, Interpretation] = (None, Interpretation())  # what `interpreted` has been asked last
 
     def number(self, static: Static) -> int:
         """Under which Prolog keeps these static facts, which it is told when they are first needed."""
+        if static is NOTHING:
+            return 0
         if self not in static.numbers:
-            self.keep(static, ask("keep_static", self.module, plain(static.facts)))
+            self._keep(static, ask("keep_static", self.module, plain(static.facts)))
         return static.numbers[self]
 
-    def keep(self, static: Static, number: int) -> None:
+    def _keep(self, static: Static, number: int) -> None:
         """Notes that Prolog keeps these static facts, for as long as somebody refers to them."""
         static.numbers[self] = number
-        self._static[number] = static
         if number:
+            self._static[number] = static
             drop_with(static, "static_drop", self.module, number)
 
-    def begun(self, start: list) -> Interpretation:
-        """The state that Prolog has made current, of its static facts' number and its facts."""
+    def interpreted(self, state: Sequence[Ground]) -> Interpretation:
+        """A state as an Interpretation: one that somebody has made of facts may have static ones among them."""
+        if type(state) is Interpretation or not self._names:
+            return interpretation_of(state)
+        if self._made[0] is not state:
+            facts = interpretation_of(state).facts
+            static = [each for each in facts if self._is_static(each)]
+            own = [each for each in facts if not self._is_static(each)]
+            self._made = (state, Interpretation(own, static_facts(static)))
+        return self._made[1]
+
+    def _is_static(self, fact: Ground) -> bool:
+        return ((fact[0], len(fact) - 1) if isinstance(fact, tuple) else (fact, 0)) in self._names
+
+    def begun(self, question: str, *args: int) -> Interpretation | None:
+        """The state that a question makes current, which answers with its static facts' number and its facts."""
+        held = list(self._static.values())  # none of them is to be dropped while its number is under way
+        self.forget()
+        start = ask(question, self.module, *args)
+        if not start:
+            return None
         number, facts = start
-        static = self._static.get(number)
+        static = self._static.get(number) if number else NOTHING
         if static is None:
             static = Static(lambda: ground(ask("static_of", self.module, number)))
-            self.keep(static, number)
+            self._keep(static, number)
         self.current = state = Interpretation(ground(facts), static)
+        held.clear()
         return state
 
     def visit(self, state: Sequence[Ground]) -> None:
@@ -62,7 +93,8 @@ class Loaded:
         if change:
             ask("step", self.module, *map(list, change))
         else:
-            ask("visit", self.module, self.number(static_of(state)), facts_of(state))
+            own = self.interpreted(state) if self._names else state
+            ask("visit", self.module, self.number(static_of(own)), facts_of(own))
         self.current = state
 
     def forget(self) -> None:

@@ -11,7 +11,7 @@ from nppg.bias.names import written
 from nppg.bridge.prolog import ask
 from nppg.bridge.terms import Ground, ground, texts
 from nppg.errors import NppgError, Problem
-from nppg.worlds.state import NOTHING, Interpretation, Static, interpretation_of
+from nppg.worlds.state import Interpretation, interpretation_of, static_facts
 
 BESIDE = "_problems.pl"  # ends the name of the file with a domain file's problems, which lies beside it
 _KEPT = 100  # start states that are remembered
@@ -51,7 +51,7 @@ def problems_in(path: Path, module: str) -> Problems:
     names, states = [], []
     for name, static, facts in ask("problems_in", module, str(path)):
         names.append(name)
-        states.append(Interpretation(ground(facts), Static(ground(static)) if static else NOTHING))
+        states.append(Interpretation(ground(facts), static_facts(ground(static))))
     return numbered(states, names)
 
 

@@ -45,10 +45,16 @@ class Static:
         return hash(self.facts)
 
     def __reduce__(self) -> tuple:
-        return Static, (self.facts,)
+        return static_facts, (self.facts,)
 
 
 NOTHING = Static()
+
+
+def static_facts(facts: Iterable[Ground]) -> Static:
+    """Those of a problem, NOTHING where there are none."""
+    own = tuple(facts)
+    return Static(own) if own else NOTHING
 
 
 class Interpretation(Sequence[Ground]):
@@ -144,7 +150,7 @@ class Interpretation(Sequence[Ground]):
 
 
 def _mixed(fact: Ground) -> int:
-    return (hash(fact) * 0x9E3779B97F4A7C15 ^ hash((fact, 1))) & _MASK
+    return hash(repr(fact)) & _MASK  # Python's hash of -1 is that of -2
 
 
 def facts_of(state: Sequence[Ground]) -> list[Ground]:
