@@ -9,6 +9,7 @@ from pathlib import Path
 from nppg.bridge.files import replacing
 from nppg.cli import loading
 from nppg.cli.arguments import add_acting, add_model, add_parameters
+from nppg.errors import NppgError
 from nppg.judging.problems import attempt
 
 _STOPPED = {
@@ -35,7 +36,9 @@ def run(options: argparse.Namespace) -> int:
     options.problems = [options.problem]
     policy = loading.policy(options)
     domain = policy.domain
-    (number,) = domain.chosen[:1]
+    if len(domain.chosen) != 1:
+        raise NppgError(f"{options.problem} has {len(domain.chosen)} problems; a plan is for one")
+    (number,) = domain.chosen
     found = attempt(
         policy,
         number,

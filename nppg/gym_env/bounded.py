@@ -94,7 +94,7 @@ class BoundedEnv(DomainEnv):
 
     def _rows(self) -> np.ndarray:
         """The table's answers, with 1 for what holds; float64 numbers stay within float32's range."""
-        answers = self._table.answers(self._seen(), self.actions)
+        answers = self._table.answers(self.domain.observe(self.state, self.np_random), self.actions)
         if not self._table.numeric:
             return answers
         bounds = self._table.bounds

@@ -136,7 +136,7 @@ class DomainEnv(gymnasium.Env):
         self.actions: Sequence[Action] = []
         self._status = ""
         self._steps = self._limit = 0
-        self.observation_space: spaces.Space = Facts(self.domain.fluents)
+        self.observation_space: spaces.Space = Facts(self.domain.fluents | self.domain.static)
         self.action_space: spaces.Space = Choice()
 
     def __copy__(self) -> DomainEnv:
@@ -190,7 +190,10 @@ class DomainEnv(gymnasium.Env):
         return tuple(written[:facts]), {**self._info(), "action_texts": written[facts:]}
 
     def _seen(self) -> State:
-        return self.domain.observe(self.state, self.np_random)
+        """With the static facts in front."""
+        seen = self.domain.observe(self.state, self.np_random)
+        static = self.domain.interpreted(seen).static.facts
+        return (*static, *seen) if static else seen
 
     def _info(self) -> dict[str, Any]:
         return {"actions": list(self.actions), "is_success": self._status == "goal"}

@@ -186,7 +186,7 @@ class Domain:
         if self._problems is None or not self._problems.given:
             return {}
         chosen = self.chosen or self.problems
-        text = problems_text({self.problems[number]: self.problem(number) for number in chosen})
+        text = problems_text((self.problems[number], self.problem(number)) for number in chosen)
         return {f"{self.path.stem}{BESIDE}": text.encode()}
 
     def _no_problem(self, number: int) -> NppgError:

@@ -24,7 +24,7 @@ _GYM = "gym:"
 def open_domain(
     name_or_path: str | Path,
     parameters: Mapping[str, int | float | str] | None = None,
-    problems: Iterable[str | int | Path] = (),
+    problems: str | Path | Iterable[str | int | Path] = (),
 ) -> Domain:
     """The domain of a shipped file's name, of a file, in PDDL too, or of gym:ID, an environment of Gymnasium, whose
     `parameters` are gymnasium.make's arguments. `problems` are those that start states are drawn from: numbers, as in

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -55,11 +56,14 @@ def problems_in(path: Path, module: str) -> Problems:
     return numbered(states, names)
 
 
-def problems_text(states: Mapping[str, Sequence[Ground]]) -> str:
-    """Start states by name as a data file."""
+def problems_text(states: Iterable[tuple[str, Sequence[Ground]]]) -> str:
+    """Start states with their names as a data file; of a name that comes again it is told the how many-th it is."""
     found = ["% Problems: start states by name. They are read as data.\n"]
-    for name, each in states.items():
+    count: Counter[str] = Counter()
+    for name, each in states:
         state = interpretation_of(each)
+        count[name] += 1
+        name = name if count[name] == 1 else f"{name} ({count[name]})"
         facts = ",\n    ".join(texts((*state.static.facts, *state.facts)))
         found.append(f"problem({written(name)}, [\n    {facts}\n]).\n")
     return "\n".join(found)
@@ -78,12 +82,12 @@ def numbers_of(text: str) -> list[int] | None:
     return found
 
 
-def sorted_out(given: Iterable[str | int | Path]) -> tuple[list[int], list[Path]]:
+def sorted_out(given: str | Path | Iterable[str | int | Path]) -> tuple[list[int], list[Path]]:
     """The numbers and the files that somebody has chosen. Raises NppgError where these are mixed, or no such file is
     there."""
     numbers: list[int] = []
     files: list[Path] = []
-    for each in given:
+    for each in [given] if isinstance(given, str | Path) else given:
         listed = [each] if isinstance(each, int) else numbers_of(str(each))
         if listed is None:
             files.append(Path(each))  # type: ignore[arg-type]
