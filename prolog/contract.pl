@@ -191,6 +191,8 @@ description(Module, _, pddl, File) :-
     ->  File = Found
     ;   File = ''
     ).
+description(Module, _, chance, Chance) :-
+    truth(defined(Module, effect/4), Chance).
 description(Module, _, cost, Cost) :-
     truth(defined(Module, cost/2), Cost).
 description(Module, _, start, Start) :-

@@ -7,9 +7,12 @@ import json
 from io import StringIO
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from nppg import Policy, generate_episode, language_bias_of, open_domain
 from nppg.cli.main import main
+from nppg.worlds.opening import with_problems
 
 LIBRARY = Path(__file__).parent.parent / "examples" / "library"
 DOMAIN = str(LIBRARY / "domain.pddl")
@@ -64,18 +67,19 @@ def test_a_plan_is_printed_or_what_stopped_it(model: str, capsys: pytest.Capture
     assert said.out == "" and said.err.startswith("no plan: ")
 
 
-def test_without_revisits_no_state_comes_twice(model: str, capsys: pytest.CaptureFixture[str]) -> None:
-    from nppg import Policy, generate_episode
-    from nppg.worlds.opening import with_problems
-
+def test_without_revisits_no_state_comes_twice_while_there_is_another(model: str) -> None:
     policy = Policy.load(model)
-    policy.domain = with_problems(policy.domain, [], [LIBRARY / "p07.pddl"])
-    import numpy as np
-
+    domain = policy.domain = with_problems(policy.domain, [], [LIBRARY / "p07.pddl"])
     for greedy in (True, False):
         episode = generate_episode(policy, np.random.default_rng(0), greedy=greedy, revisits=False)
-        states = [step.actual for step in episode.steps]
-        assert len(set(map(tuple, states))) == len(states)
+        met = set()
+        for step, following in zip(
+            episode.steps, [*(step.actual for step in episode.steps[1:]), episode.actual], strict=True
+        ):
+            met.add(tuple(step.actual))
+            if tuple(following) in met:
+                assert all(tuple(domain.certain(step.actual, action)) in met for action in step.actions)
+        assert len(met) > len(episode.steps) // 2
 
 
 def test_an_imported_folder_is_a_domain_like_any_other(
@@ -99,7 +103,7 @@ def test_an_imported_folder_is_a_domain_like_any_other(
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["train", DOMAIN], "the domain has no start states"),
+        (["train", DOMAIN], "domain.pddl: the domain needs problems: name them by --problems"),
         (["train", DOMAIN, "--problems", DOMAIN], "this is the domain: name its problems, too"),
         (["train", DOMAIN, "--problems", str(LIBRARY)], "is a folder: name its files"),
         (["train", DOMAIN, "--problems", "nowhere.pddl"], "nowhere.pddl: no such file"),
@@ -109,6 +113,9 @@ def test_an_imported_folder_is_a_domain_like_any_other(
         (["train", "gym:FrozenLake-v1", "--problems", "1"], "an environment of Gymnasium has no problems"),
         (["import", PROBLEMS[0]], "a domain is expected, not a problem"),
         (["import", "nowhere.pddl"], "nowhere.pddl"),
+        (["train", DOMAIN, "--problems", "1-99999999999"], "are more than 100,000 problems"),
+        (["evaluate", DOMAIN, "--problems", PROBLEMS[0]], "is PDDL and no model: nppg train writes one"),
+        (["plan", MODEL, "1-3"], "1-3 has 3 problems; a plan is for one"),
         (["plan", MODEL, "99"], "there is no problem 99; the domain has problems 1 to 5"),
         (["evaluate", MODEL, "--csv"], "--csv is for problems"),
         (["evaluate", MODEL, "--exact", "--problems", "1"], "--exact is about all start states"),
@@ -140,6 +147,27 @@ def test_a_problem_with_a_mistake_is_told_with_its_place(
     assert main(["train", DOMAIN, "--problems", PROBLEMS[1], str(file)]) == 2
     error = capsys.readouterr().err
     assert f"{file}:" in error and said in error and "Traceback" not in error
+
+
+def test_a_goal_about_all_objects_is_one_about_each(tmp_path: Path) -> None:
+    domain, problem = tmp_path / "domain.pddl", tmp_path / "p.pddl"
+    domain.write_text(
+        "(define (domain lamps) (:requirements :adl) (:types lamp) (:predicates (lit ?l - lamp) (old ?l - lamp))"
+        " (:action press :parameters (?l - lamp) :effect (lit ?l)))"
+    )
+    goal = "(forall (?l - lamp) (and (lit ?l) (not (old ?l))))"
+    problem.write_text(f"(define (problem p) (:domain lamps) (:objects a b - lamp) (:init) (:goal {goal}))")
+    opened = open_domain(domain, problems=problem)
+    static = opened.problem(1).static.facts
+    assert {("goal_lit", "a"), ("goal_lit", "b"), ("goals", 4)} <= set(static)
+    assert ("condition", ("not", ("holds", ("old", "a")))) in static
+    assert "todo_lit(-)" in language_bias_of(opened).source.decode()
+
+
+def test_a_model_without_its_domain(model: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "model.pl").write_bytes(Path(model).read_bytes())
+    assert main(["evaluate", str(tmp_path / "model.pl")]) == 2
+    assert "the model's domain is missing: library.pl has to stand beside it" in capsys.readouterr().err
 
 
 def test_a_goal_that_no_action_can_reach(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -32,7 +32,8 @@ def run(options: argparse.Namespace) -> int:
     bias = loading.bias_of(policy, options)
     rules = distill(policy, bias, options.max_rules)
     exact = policy.domain.is_countable
-    result = evaluate_exactly(rules, greedy=True) if exact else evaluate(rules, seed=1, greedy=True)
+    problems = policy.domain.chosen
+    result = evaluate_exactly(rules, greedy=True) if exact else evaluate(rules, seed=1, greedy=True, problems=problems)
     judged, value = merit(rules, result)
     output = options.output or options.model.with_name("rules.pl")
     beside = Path(bias.file).resolve().parent == output.resolve().parent
@@ -42,9 +43,10 @@ def run(options: argparse.Namespace) -> int:
     ]
     rules.save(output, facts, [sentences(rules, 1, bias)] if options.explain else ())
     print(*(explained(rules, 1, bias) if options.explain else rules.rules(1)), sep="\n")
-    over = "all" if result.exact else "sampled"
+    over = "all" if result.exact or problems else "sampled"
+    starts = "problems" if problems else "start states"
     print(
-        f"{judged.replace('_', ' ')} of these rules over {over} {result.starts:,} start states: {value:.6f}; "
+        f"{judged.replace('_', ' ')} of these rules over {over} {result.starts:,} {starts}: {value:.6f}; "
         f"written to {output}"
     )
     return 0

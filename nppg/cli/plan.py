@@ -51,7 +51,10 @@ def run(options: argparse.Namespace) -> int:
         print(f"no plan: {_STOPPED[found.ended]}, after {found.steps} steps", file=sys.stderr)
         return 1
     kind = "general cost" if domain.has_costs else "unit cost"
-    text = "".join(f"{line}\n" for line in (*map(domain.plan_step, found.plan), f"; cost = {found.cost} ({kind})"))
+    lines = [*map(domain.plan_step, found.plan), f"; cost = {found.cost} ({kind})"]
+    if domain.has_chance:
+        lines.append(f"; one course of events: outcomes are left to chance, here drawn with seed {options.seed}")
+    text = "".join(f"{line}\n" for line in lines)
     if options.output:
         replacing(options.output, lambda path: path.write_text(text, encoding="utf-8"))
     else:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tempfile
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 
 from nppg.bias.language_bias import LanguageBias
@@ -14,7 +14,7 @@ from nppg.experiments.learners import options_of
 from nppg.experiments.progress import Point, Progress
 from nppg.experiments.run_files import in_the_way, write_files
 from nppg.experiments.train import train
-from nppg.judging.evaluation import Evaluation, ExactEvaluator, evaluate
+from nppg.judging.evaluation import Evaluation, ExactEvaluator, evaluate, spread
 from nppg.judging.space import Space
 from nppg.learning.options import Common
 from nppg.learning.training import Iteration
@@ -139,17 +139,12 @@ def _judge(progress: Progress, starts: int | None, space: Space | None) -> Calla
                 return now.evaluate(False, factor), now.evaluate(True, factor)
 
             return exactly
-    problems = _spread(policy.domain.chosen) if starts is None else []
+    problems = spread(policy.domain.chosen, _PROBLEMS) if starts is None else []
     count = starts or len(problems)
     return lambda: (
         evaluate(policy, count, seed, False, factor, problems),
         evaluate(policy, count, seed, True, factor, problems),
     )
-
-
-def _spread(problems: Sequence[int]) -> Sequence[int]:
-    """Some of them, at even distances."""
-    return problems[:: -(-len(problems) // _PROBLEMS)] if problems else []
 
 
 def _point(progress: Progress, stochastic: Evaluation, greedy: Evaluation) -> Point:

@@ -60,6 +60,11 @@ def evaluate(
     return Evaluation(successes / starts, starts, False, greedy, steps / starts, total(found) / starts)
 
 
+def spread(problems: Sequence[int], most: int) -> Sequence[int]:
+    """At most so many of them, at even distances."""
+    return problems[:: -(-len(problems) // most)] if problems else []
+
+
 class ExactEvaluator:
     """Evaluates policies of one domain over its whole state space; what does not depend on the trees is computed
     once. `space` may come from another evaluator of the domain with the same parameters. Raises NppgError where the

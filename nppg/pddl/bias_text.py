@@ -32,7 +32,7 @@ modes:
 lookahead: 1
 max_variables: 4
 tree: {{max_depth: 4, min_examples: 2}}
-options: {{step: second-order, discount: 0.9, importance: 0, models: per-action, min_examples: 500}}
+options: {{step: second-order, discount: 0.95, min_examples: 500}}
 """
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import product
+from math import prod
 
 from nppg.errors import NppgError, Problem
 from nppg.pddl.changing import changes, derived, fluents
@@ -35,19 +37,54 @@ _MOST = 1000  # literals of a goal that are counted
 _OPERATORS = {"<": "<", "<=": "=<", "=": "=:=", ">=": ">=", ">": ">"}
 
 
-def goal_parts(formula: Formula) -> Iterator[Formula]:
-    """What the goal wants, each for itself."""
+def goal_parts(problem: PlanningProblem, domain: Domain) -> list[Formula]:
+    """What the goal wants, each for itself; of what it wants of all objects, the literals of each of them."""
+    members: dict[str, list[str]] = {}
+    for type_, name in memberships(domain, (*domain.constants, *problem.objects)):
+        members.setdefault(type_, []).append(name)
+
+    def parts(formula: Formula) -> list[Formula]:
+        if isinstance(formula, And):
+            return [inner for part in formula.parts for inner in parts(part)]
+        if isinstance(formula, Forall):
+            return _literals(formula, {}, members) or [formula]
+        return [formula]
+
+    return parts(problem.goal)
+
+
+def _literals(formula: Formula, bound: Mapping[str, str], members: Mapping[str, list[str]]) -> list[Formula] | None:
+    """The literals that a formula is the conjunction of, with objects for variables; None if there is none."""
+    if isinstance(formula, Atom):
+        return [Atom(formula.name, tuple(bound.get(each, each) for each in formula.args))]
+    if isinstance(formula, Not) and isinstance(formula.part, Atom):
+        return [Not(atom) for atom in _literals(formula.part, bound, members) or ()]
     if isinstance(formula, And):
-        for part in formula.parts:
-            yield from goal_parts(part)
+        choices = [(part, bound) for part in formula.parts]
+    elif isinstance(formula, Forall):
+        names = [
+            dict.fromkeys(name for type_ in each.types for name in members.get(type_, ())) for each in formula.variables
+        ]
+        if prod(map(len, names)) > _MOST:
+            return None
+        variables = [each.name for each in formula.variables]
+        choices = [(formula.part, {**bound, **dict(zip(variables, chosen, strict=True))}) for chosen in product(*names)]
     else:
-        yield formula
+        return None
+    found: list[Formula] = []
+    for part, inner in choices:
+        own = _literals(part, inner, members)
+        if own is None or len(found) + len(own) > _MOST:
+            return None
+        found += own
+    return found
 
 
 def goal_predicates(problem: PlanningProblem, domain: Domain) -> frozenset[str]:
     """The predicates that the goal wants facts of, which actions change or rules derive."""
     moving = fluents(domain) | derived(domain)
-    return frozenset(part.name for part in goal_parts(problem.goal) if isinstance(part, Atom) and part.name in moving)
+    parts = goal_parts(problem, domain)
+    return frozenset(part.name for part in parts if isinstance(part, Atom) and part.name in moving)
 
 
 def literals(formula: Formula, problem: PlanningProblem, domain: Domain) -> int:
@@ -135,7 +172,7 @@ def unreachable(problem: PlanningProblem, domain: Domain) -> list[str]:
     deleted = {each.atom.name for each in changes(domain) if isinstance(each, Delete)} | derived(domain)
     initial = set(problem.init)
     messages = []
-    for part in goal_parts(problem.goal):
+    for part in goal_parts(problem, domain):
         if isinstance(part, Atom) and part.name not in added and part not in initial:
             why = f"it does not hold, and no action adds {part.name}"
         elif isinstance(part, Not) and part.part in initial and part.part.name not in deleted:

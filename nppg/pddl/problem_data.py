@@ -39,7 +39,7 @@ def problem_data(problem: PlanningProblem, domain: Domain, names: Names, goal_pr
         if function.name not in APART:
             group = changing if function.name in changed_functions(domain) else static
             group.append((names.functions[function.name], *function.args, number))
-    for part in goal_parts(problem.goal):
+    for part in goal_parts(problem, domain):
         if isinstance(part, Atom) and part.name in wanted:
             static.append(fact(names.goal[part.name], part.args))
         else:

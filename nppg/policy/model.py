@@ -14,7 +14,7 @@ from typing import NamedTuple, Protocol
 
 from nppg.bias.declarations import Template, TreeLimits
 from nppg.bias.language_bias import LanguageBias
-from nppg.bridge.files import replacing
+from nppg.bridge.files import replacing, shipped
 from nppg.bridge.prolog import ask
 from nppg.bridge.terms import ground
 from nppg.errors import NppgError, Problem, suggestion
@@ -108,6 +108,8 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Stored:
         path.open("rb").close()
     except OSError as error:
         raise NppgError([Problem(str(path), 0, 0, f"cannot be read: {error.strerror}")]) from None
+    if path.suffix == ".pddl":
+        raise NppgError([Problem(str(path), 0, 0, "is PDDL and no model: nppg train writes one")])
     facts, _, domain_file, clauses = ask("model", str(path))
     known: dict[str, list] = {}
     for key, value in facts:
@@ -117,8 +119,10 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Stored:
     if Path(domain_file).name != domain_file:
         raise _wrong(path, 1, f"the domain stands beside its model: {domain_file} cannot be its file")
     beside = path.parent / domain_file
-    file = beside if beside.is_file() else Path(domain_file).stem
-    domain = open_domain(file, {**_parameters(path, known), **parameters})
+    shipped_file = shipped("domains") / domain_file
+    if not beside.is_file() and not shipped_file.is_file():
+        raise _wrong(path, 1, f"the model's domain is missing: {domain_file} has to stand beside it")
+    domain = open_domain(beside if beside.is_file() else shipped_file.stem, {**_parameters(path, known), **parameters})
     bias = _bias(path, known, domain)
     trees = [
         from_rules(rules, lambda query, literals: deciding_tests(query, literals, len(bias.roots)))

@@ -18,7 +18,7 @@ from nppg.answers.table import Table
 from nppg.bias.declarations import TreeLimits
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refiner
-from nppg.judging.evaluation import ExactEvaluator, evaluate, merit
+from nppg.judging.evaluation import ExactEvaluator, evaluate, merit, spread
 from nppg.learning.episode import generate_episode
 from nppg.logic.subsumption import deciding_tests
 from nppg.policy.gibbs import best
@@ -30,6 +30,8 @@ from nppg.worlds.world import Action, State
 _GOOD = (0.3, 1 - 1e-9)  # an action counts as preferred from this share of the best one's probability on
 _DEPTHS = range(1, 9)
 _EPISODES = 300
+_PROBLEMS = 30  # where a domain's starts are drawn from problems: the most that are looked at, and how many steps
+_STEPS = 3000
 _STEP = 10.0  # between two values of the rules
 
 
@@ -93,9 +95,17 @@ class _Judge:
                     yield state, legal, potentials[space.owner == number]
         else:
             rng = np.random.default_rng(0)
-            for _ in range(_EPISODES):
-                for step in generate_episode(self.original, rng).steps:
+            domain = self.original.domain
+            problems = spread(domain.chosen, _PROBLEMS)
+            left = _STEPS
+            for number in range(_EPISODES):
+                start = domain.problem(problems[number % len(problems)]) if problems else None
+                steps = generate_episode(self.original, rng, start=start).steps
+                for step in steps:
                     yield step.state, list(step.actions), step.potentials
+                left -= len(steps)
+                if problems and left <= 0:
+                    break
 
     def policy(self, ordered: list[Rule]) -> Policy:
         """The policy whose only tree has these rules."""
@@ -116,7 +126,8 @@ class _Judge:
             return self.shared.of(policy).evaluate(greedy=True).success
         if self.exact:
             return self.exact.of(policy).evaluate(greedy=True).success
-        return merit(policy, evaluate(policy, _EPISODES, greedy=True))[1]
+        problems = spread(policy.domain.chosen, _PROBLEMS)
+        return merit(policy, evaluate(policy, _EPISODES, greedy=True, problems=problems))[1]
 
     def rules_success(self, ordered: list[Rule]) -> float:
         """Of the greedy policy of an ordered list of rules."""

@@ -59,6 +59,7 @@ class Domain:
         self.fluents = {tuple(each) for each in description["fluents"]}
         self.static = {tuple(each) for each in description["static"]}
         self.has_start: bool = description["start"] == "true"
+        self.has_chance: bool = description["chance"] == "true"  # outcomes with probabilities
         self.has_costs: bool = description["cost"] == "true"
         self._numbers_problems: bool = description["problems"] == "true"
         self._problems: Problems | None = None

@@ -8,6 +8,8 @@ from collections.abc import Mapping, Sequence
 from functools import cache, partial
 from pathlib import Path
 
+import numpy as np
+
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.prolog import ask
 from nppg.errors import NppgError, Problem
@@ -23,7 +25,7 @@ from nppg.pddl.reader import read_domain, read_problem
 from nppg.worlds.domain import Domain
 from nppg.worlds.problems import Problems
 from nppg.worlds.state import Interpretation, Static, standard_order
-from nppg.worlds.world import Action
+from nppg.worlds.world import Action, State
 
 SUFFIX = ".pddl"
 
@@ -44,6 +46,11 @@ class PddlDomain(Domain):
         self.generated = pddl is not None  # its file, which has no place then
         self.model = pddl or read_domain(self.path.parent / self.pddl)
         self.names: Names = names_of(self.model, taken)
+
+    def start(self, rng: np.random.Generator) -> State:
+        if not (self.chosen or self.has_start):
+            raise NppgError([Problem(self.model.file, 0, 0, "the domain needs problems: name them by --problems")])
+        return super().start(rng)
 
     @property
     def companions(self) -> dict[str, bytes]:

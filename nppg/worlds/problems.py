@@ -15,6 +15,7 @@ from nppg.errors import NppgError, Problem
 from nppg.worlds.state import Interpretation, interpretation_of, static_facts
 
 BESIDE = "_problems.pl"  # ends the name of the file with a domain file's problems, which lies beside it
+_MOST = 100_000  # problems that a range may choose
 _KEPT = 100  # start states that are remembered
 
 
@@ -78,6 +79,8 @@ def numbers_of(text: str) -> list[int] | None:
         first, _, last = part.partition("-")
         if last and int(last) < int(first):
             raise NppgError(f"--problems: {part} ends before it begins")
+        if last and int(last) - int(first) >= _MOST:
+            raise NppgError(f"--problems: {part} are more than {_MOST:,} problems")
         found += range(int(first), int(last or first) + 1)
     return found
 
