@@ -3,7 +3,8 @@
 The last is the same domain with all static facts among the fluents, states as tuples and actions as lists, so that each
 step hands over everything. The worlds: examples/library with up to 1000 books, and `watch`, in which telescopes may be
 turned to any star, with up to 10,000 legal actions and 50,000 static facts. With NPPG_PDDL naming a folder like that of
-the planning competition (NAME/domain.pddl, NAME/training, NAME/testing), also the largest problem of some of its domains.
+the planning competition (NAME/domain.pddl, NAME/training, NAME/testing), also the largest problem of some of its
+domains.
 """
 
 from __future__ import annotations
