@@ -79,7 +79,9 @@ class _Learned:
         self.bias = language_bias_of(self.domain)
         options = replace(options_of(self.bias), episodes=EPISODES)
         *_, last = train(self.domain, self.bias, options)
-        self.policy = last.policy
+        self.policy = Policy(self.domain, self.bias)  # which asks no more tests than its trees have
+        for tree in last.policy.trees:
+            self.policy.add(tree)
         self.rules = distill(self.policy, self.bias)
 
     def row(self, problem: Path, what: str, target: float) -> Row:

@@ -193,6 +193,10 @@ preferred_actions(Policy, Data) :-
     preferred(Policy, Actions),
     encode_all(Actions, Data).
 
+preferred_action(Policy, Float, Data) :-
+    preferred(Policy, Float, Action),
+    encode(Action, Data).
+
 rules(Policy, Tree, Texts) :-
     signatures(Policy, Signatures),
     findall(Text, ( rule(Policy, Tree, Clause), rule_text(Signatures, Clause, Text) ), Texts).

@@ -1,11 +1,12 @@
 :- module(nppg_rule_list,
           [ preferred/2,         % +Policy, -Actions             det
+            preferred/3,         % +Policy, +Float, -Action      semidet
             forget_rules/1       % +Policy                       det
           ]).
 
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [include/3, partition/4]).
-:- use_module(library(lists), [member/2, same_length/2]).
+:- use_module(library(lists), [member/2, nth0/3, same_length/2]).
 :- use_module(library(ordsets), [ord_subtract/3]).
 :- use_module(contract, [declared/2]).
 :- use_module(domain, [actions/2]).
@@ -28,19 +29,35 @@ action has the value.
 
 %!  preferred(+Policy, -Actions) is det.
 %
-%   The legal actions of the highest potential in the current state, sorted.
+%   The legal actions of the highest potential in the current state, sorted. They are ground; must_be_actions/3 says
+%   whether they are actions.
 
 preferred(Policy, Actions) :-
     module_of(Policy, Module),
     by_value(Policy, Groups),
     catch(best(Groups, Policy, Module, Actions), nppg_fault(_, _), scored(Policy, Module, Actions)).
 
+%!  preferred(+Policy, +Float, -Action) is semidet.
+%
+%   One of them: at the place Float, from 0 to below 1, of their list.
+
+preferred(Policy, Float, Action) :-
+    preferred(Policy, Actions),
+    length(Actions, Count),
+    Index is truncate(Float*Count),
+    nth0(Index, Actions, Action),
+    module_of(Policy, Module),
+    must_be_actions(Module, action/1, [Action]).
+
 best(Groups, Policy, Module, Actions) :-
     (   member(group(Value, Rules, Hidden), Groups),
         guarded_findall(Action, Module:test/0, valued(Policy, Module, Rules, Hidden, Value, Action), Found),
         Found \== []
     ->  sort(Found, Actions),
-        must_be_actions(Module, action/1, Actions)
+        (   ground(Actions), acyclic_term(Actions)
+        ->  true
+        ;   must_be_actions(Module, action/1, Actions)
+        )
     ;   Actions = []
     ).
 

@@ -26,8 +26,8 @@ _ROUNDING = Fraction(1, 10**12)  # what is so near to a whole number, relatively
 class Step:
     """A state as the policy sees it, with its legal actions, the answers to the policy's tests about them (shape
     (actions, tests)), their potentials and probabilities, the index of the action taken, and the reward; the state as
-    it is; and whether the domain's expert, who sees it so, chose the action. Where a list of rules was asked for the
-    best actions alone, the actions are these, and nothing was answered: the arrays are empty."""
+    it is; and whether the domain's expert, who sees it so, chose the action. Where a list of rules was asked for a
+    best action alone, it is the only one, and nothing was answered: the arrays are empty."""
 
     state: State
     actions: Sequence[Action]
@@ -102,8 +102,8 @@ def generate_episode(
         seen = domain.observe(state, rng)
         advice: list[Action] = []
         if lean:
-            actions, answers, potentials, probabilities = policy.preferred(seen), _NOTHING, _NOTHING, _NOTHING
-            chosen = int(rng.random() * len(actions))
+            actions, answers, potentials, probabilities = [policy.prefer(seen, rng)], _NOTHING, _NOTHING, _NOTHING
+            chosen = 0
         else:
             if learning:
                 actions = list(actions)  # while they are at hand

@@ -111,6 +111,11 @@ class Policy:
         self.domain.visit(state)
         return compounds(ask("preferred_actions", self.name))
 
+    def prefer(self, state: State, rng: np.random.Generator) -> Action:
+        """Draws one of these."""
+        self.domain.visit(state)
+        return compounds([ask("preferred_action", self.name, rng.random())])[0]
+
     def prolog_potentials(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """Psi(s, a) summed clause by clause in Prolog."""
         given = plain(actions)
