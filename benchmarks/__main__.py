@@ -16,7 +16,8 @@ from pathlib import Path
 
 from benchmarks.common import Row
 
-NAMES = ("coverage", "one_tree", "potentials", "training", "large_states")
+LARGE = "large_states"  # has a table of its own
+NAMES = ("coverage", "one_tree", "potentials", "training", LARGE)
 HEAD = "| what | measured | against | target | met |\n|---|---|---|---|---|"
 
 
@@ -28,13 +29,14 @@ def main() -> None:
     if wrong := set(chosen.names) - {*NAMES, "profile"}:
         parser.error(f"there is no benchmark {', '.join(sorted(wrong))}")
     names = [each for each in chosen.names if each != "profile"] or ([] if chosen.names else NAMES)
-    if names:
-        lines = [machine(), "", *HEAD.split("\n")]
-        print("\n".join(lines), flush=True)
-        for row in (row for name in names for row in import_module(f"benchmarks.{name}").rows()):
-            lines.append(line(row))
-            print(lines[-1], flush=True)
-        splice(chosen.write, "table", "\n".join(lines))
+    for marker, own in (("table", [name for name in names if name != LARGE]), ("large", [LARGE] * (LARGE in names))):
+        if own:
+            lines = [machine(), "", *HEAD.split("\n")]
+            print("\n".join(lines), flush=True)
+            for row in (row for name in own for row in import_module(f"benchmarks.{name}").rows()):
+                lines.append(line(row))
+                print(lines[-1], flush=True)
+            splice(chosen.write, marker, "\n".join(lines))
     if "profile" in chosen.names:
         text = import_module("benchmarks.profile").tables()
         print(text)
