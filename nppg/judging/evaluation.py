@@ -53,7 +53,7 @@ def evaluate(
     successes, steps, found = 0, 0, []
     for i in range(starts):
         start = policy.domain.problem(problems[i]) if problems else None
-        episode = generate_episode(policy, rng, greedy=greedy, horizon_factor=horizon_factor, start=start)
+        episode = generate_episode(policy, rng, greedy=greedy, horizon_factor=horizon_factor, start=start, scored=False)
         successes += episode.success
         steps += len(episode.steps)
         found.append(episode.undiscounted)

@@ -57,7 +57,7 @@ def attempt(
     domain.visit(start)
     clock = time.perf_counter()
     episode = generate_episode(
-        policy, rng, greedy=greedy, horizon_factor=horizon_factor, start=start, revisits=revisits
+        policy, rng, greedy=greedy, horizon_factor=horizon_factor, start=start, revisits=revisits, scored=False
     )
     seconds = time.perf_counter() - clock
     plan = tuple(step.actions[step.chosen] for step in episode.steps)

@@ -80,10 +80,12 @@ def generate_episode(
     learning: bool = False,
     start: State | None = None,
     revisits: bool = True,
+    scored: bool = True,
 ) -> Episode:
     """Draws a start state, unless it is given one, and acts until the episode ends: in a goal or terminal state, or cut
     off, by its environment or after horizon_factor times the domain's horizon. Without `revisits` no action is taken
-    that leads for certain to a state that the episode has been in, while there is another one.
+    that leads for certain to a state that the episode has been in, while there is another one. Where not all actions
+    need be `scored`, a greedy list of rules is asked for a best one alone.
 
     With probability `guidance` the whole episode is a trace of the domain's expert; where it has no advice, the policy
     acts: greedily, if it is to or does so wherever it does not learn. Raises NppgError where the domain's code is at
@@ -96,7 +98,8 @@ def generate_episode(
     met = None if revisits else {policy.domain.interpreted(state).fingerprint}
     most = longest(domain.horizon(state), horizon_factor)
     steps: list[Step] = []
-    lean = greedy and revisits and not (guided or learning or policy.domain.has_observation) and policy.is_rules
+    lean = greedy and revisits and not (scored or guided or learning or policy.domain.has_observation)
+    lean = lean and policy.is_rules
     status, actions = domain.situation(state, lean)
     while status == "running" and len(steps) < most:
         seen = domain.observe(state, rng)
