@@ -3,6 +3,7 @@
             defined/2,           % +Module, +Indicator                     semidet
             declared/2,          % +Module, ?Head                          nondet
             environment/2,       % +Module, ?Id                            nondet
+            action_kinds/2,      % +Module, -Kinds                         semidet
             mistake/4,           % +Module, +File, +Parameters, -Problem   nondet
             description/4        % +Module, +Name, ?Key, -Value            nondet
           ]).
@@ -177,6 +178,16 @@ note_missing(Callee, _, Location) :-
     ),
     assertz(missing(Line-(Name/Arity))).
 
+%!  action_kinds(+Module, -Kinds) is semidet.
+%
+%   The kinds of actions, as Name/Arity, sorted; fails where they cannot be told without running the domain.
+
+action_kinds(Module, Kinds) :-
+    findall(Action, clause(Module:action(Action), _), Heads),
+    \+ ( member(Head, Heads), \+ callable(Head) ),
+    findall(Name/Arity, ( member(Head, Heads), functor(Head, Name, Arity) ), Found),
+    sort(Found, Kinds).
+
 %!  description(+Module, +Name, ?Key, -Value) is nondet.
 %
 %   What Python is told of a domain, whose file calls its module Name.
@@ -187,10 +198,7 @@ description(Module, _, fluents, Fluents) :-
 description(Module, _, (static), Static) :-
     findall([Name, Arity], static(Module, Name/Arity), Static).
 description(Module, _, pddl, File) :-
-    (   declared(Module, nppg_pddl(Found))
-    ->  File = Found
-    ;   File = ''
-    ).
+    name_or_empty(Found, declared(Module, nppg_pddl(Found)), File).
 description(Module, _, chance, Chance) :-
     truth(defined(Module, effect/4), Chance).
 description(Module, _, cost, Cost) :-
@@ -213,22 +221,16 @@ description(Module, _, predicates, Predicates) :-
             Predicates0),
     sort(Predicates0, Predicates).
 description(Module, _, actions, Actions) :-
-    findall(Action, clause(Module:action(Action), _), Heads),
-    (   member(Head, Heads), \+ callable(Head)
-    ->  Found = []                          % they cannot be told without running the domain
-    ;   findall(Name-Arity, ( member(Head, Heads), functor(Head, Name, Arity) ), Found)
-    ),
-    sort(Found, Sorted),
-    findall([Name, Arity], member(Name-Arity, Sorted), Actions).
+    (   action_kinds(Module, Kinds)
+    ->  findall([Name, Arity], member(Name/Arity, Kinds), Actions)
+    ;   Actions = []
+    ).
 description(Module, _, uniform_start, Uniform) :-
     truth(declared(Module, nppg_uniform_start), Uniform).
 description(Module, _, interchangeable, Names) :-
     findall(Name, declared(Module, nppg_interchangeable(Name/1)), Names).
 description(Module, _, environment, Id) :-
-    (   environment(Module, Found)
-    ->  Id = Found
-    ;   Id = ''
-    ).
+    name_or_empty(Found, environment(Module, Found), Id).
 description(Module, _, expert, Expert) :-
     truth(defined(Module, expert/1), Expert).
 description(Module, _, goal, Goal) :-
@@ -242,4 +244,10 @@ truth(Goal, Truth) :-
     (   call(Goal)
     ->  Truth = true
     ;   Truth = false
+    ).
+
+name_or_empty(Found, Goal, Name) :-
+    (   call(Goal)
+    ->  Name = Found
+    ;   Name = ''
     ).

@@ -8,7 +8,7 @@
 :- use_module(library(apply), [include/3, partition/4]).
 :- use_module(library(lists), [member/2, nth0/3, same_length/2]).
 :- use_module(library(ordsets), [ord_subtract/3]).
-:- use_module(contract, [declared/2]).
+:- use_module(contract, [action_kinds/2, declared/2]).
 :- use_module(domain, [actions/2]).
 :- use_module(guard, [guarded/3, guarded_findall/4]).
 :- use_module(join_order, [few/2, ordered/4, outgrown/3]).
@@ -120,11 +120,9 @@ by_value(Policy, Groups) :-
 %   The kinds of actions, [any] where they cannot be told from the heads of the clauses.
 
 kinds(Module, Kinds) :-
-    findall(Action, clause(Module:action(Action), _), Heads),
-    (   member(Head, Heads), var(Head)
-    ->  Kinds = [any]
-    ;   findall(Name/Arity, ( member(Head, Heads), functor(Head, Name, Arity) ), Found),
-        sort(Found, Kinds)
+    (   action_kinds(Module, Known)
+    ->  Kinds = Known
+    ;   Kinds = [any]
     ).
 
 compiled([], _, _, _, _, []).

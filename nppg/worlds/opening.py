@@ -33,8 +33,7 @@ def open_domain(
     if is_environment(name_or_path):
         domain: Domain = open_environment(str(name_or_path).removeprefix(_GYM), parameters)
     elif Path(name_or_path).suffix == PDDL:
-        domain = import_domain(name_or_path, files, parameters)
-        return domain.with_problems(numbers) if numbers else domain
+        domain, files = import_domain(name_or_path, files, parameters), []
     else:
         domain = Domain(name_or_path, parameters)
         kind = GymDomain if domain.environment else PddlDomain if domain.pddl else Domain
