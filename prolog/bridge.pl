@@ -148,8 +148,8 @@ table_drop(Table, true) :-
     drop_examples(Table),
     drop_table(Table).
 
-tests(Table, Kind, Group, Words, true) :-
-    set_tests(Table, Kind, Group, Words).
+tests(Table, Dropped, Words, Kinds, true) :-
+    set_tests(Table, Dropped, Words, Kinds).
 
 answers(Table, Data, [Kinds, Words]) :-
     decode_all(Data, Actions),

@@ -13,7 +13,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from nppg.answers.facts import FactTable, suffices
-from nppg.answers.table import WORD, Table, TestTable, measure, unpacked
+from nppg.answers.table import Table, TestTable
+from nppg.answers.words import WORD, measure, unpacked
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, Refiner
 from nppg.bridge.prolog import ask
