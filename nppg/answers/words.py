@@ -175,5 +175,4 @@ def measure(test: Query) -> list:
 
 def unpacked(words: np.ndarray) -> np.ndarray:
     """Unpacks the words of each row, in order, to booleans of shape (rows, 64 * words per row)."""
-    array = np.ascontiguousarray(words).view(np.uint8)
-    return np.unpackbits(array, axis=1, bitorder="little").view(bool)
+    return np.unpackbits(words.view(np.uint8), axis=1, bitorder="little").view(bool)
