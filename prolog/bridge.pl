@@ -15,6 +15,7 @@
 :- use_module(potential).
 :- use_module(problem_file).
 :- use_module(query_pack).
+:- use_module(randomness, [without_draws/1]).
 :- use_module(report, [problems/2]).
 :- use_module(rule_list).
 :- use_module(state_text).
@@ -150,6 +151,20 @@ table_drop(Table, true) :-
 
 tests(Table, Dropped, Words, Kinds, true) :-
     set_tests(Table, Dropped, Words, Kinds).
+
+%!  act(+Module, +Lean, +Table, +Action, -Answer) is det.
+%
+%   Takes an action, as states.pl says; with what a table answers about the legal actions of the state that it leads to,
+%   as `answers` gives it, behind the situation: [] where Table is none, there are no actions, or asking goes wrong.
+
+act(Module, Lean, Table, Data, [Reward, Gone, New, Situation, Answers]) :-
+    take(Module, Lean, Data, Actions, [Reward, Gone, New, Situation]),
+    (   Actions \== [],
+        Table \== '',
+        catch(without_draws(rows(Table, Actions, Kinds, Words)), nppg_fault(_, _), fail)
+    ->  Answers = [Kinds, Words]
+    ;   Answers = []
+    ).
 
 answers(Table, Data, [Kinds, Words]) :-
     decode_all(Data, Actions),

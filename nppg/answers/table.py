@@ -18,7 +18,6 @@ from nppg.answers.words import Words
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refinement, is_open
 from nppg.bridge.prolog import ask, drop_with
-from nppg.bridge.terms import plain
 from nppg.errors import NppgError
 from nppg.logic.query import OPEN, Query, opened
 from nppg.worlds.domain import Domain
@@ -106,6 +105,7 @@ class TestTable(Table):
 
     def _prepare(self, columns: Sequence[int]) -> None:
         tests = [(column, self.tests[column]) for column in columns]
+        self.domain.loaded.forget_answers()
         ask("tests", self.name, *self._words.add(tests, self.bounds if self.numeric else None, len(self)))
 
     def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
@@ -137,9 +137,10 @@ class TestTable(Table):
             self.domain.visit(state)
             kinds, words = ask("answers_legal", self.name, actions.serial)
         else:
-            given = plain(actions)  # before the visit: legal actions of another state may have to be found there
+            if not isinstance(actions, list):
+                actions = list(actions)  # before the visit: legal actions of another state may have to be found there
             self.domain.visit(state)
-            kinds, words = ask("answers", self.name, given)
+            kinds, words = self.domain.loaded.answers_about(self.name, actions)
         present = sorted(set(kinds))
         if len(present) == 1:
             own = self._words.kinds[present[0]]
