@@ -170,6 +170,35 @@ answers(Table, Data, [Kinds, Words]) :-
     decode_all(Data, Actions),
     rows(Table, Actions, Kinds, Words).
 
+%!  answers_in(+Table, +Facts, +States, -Answers) is det.
+%
+%   The same for actions in many states, one after the other. A state is [Static, Gone, New, Actions]: the number of its
+%   static facts, and how it differs from the state before it, the first one from the current state, by the numbers of
+%   facts in Facts, from 1.
+
+answers_in(Table, FactData, States, [Kinds, Words]) :-
+    layout(Table, Module, _, _),
+    decode_all(FactData, Facts),
+    compound_name_arguments(Known, facts, Facts),
+    answers_in(States, Known, Module, Table, Kinds, Words).
+
+answers_in([], _, _, _, [], []).
+answers_in([[Static, GoneNumbers, NewNumbers, Data]|States], Known, Module, Table, Kinds, Words) :-
+    known(GoneNumbers, Known, Gone),
+    known(NewNumbers, Known, New),
+    enforce(Module, Static),
+    exchange(Module, Gone, New),
+    decode_all(Data, Actions),
+    rows(Table, Actions, OwnKinds, OwnWords),
+    append(OwnKinds, MoreKinds, Kinds),
+    append(OwnWords, MoreWords, Words),
+    answers_in(States, Known, Module, Table, MoreKinds, MoreWords).
+
+known([], _, []).
+known([Number|Numbers], Known, [Fact|Facts]) :-
+    arg(Number, Known, Fact),
+    known(Numbers, Known, Facts).
+
 %!  answers_legal(+Table, +Serial, -Answers) is det: the same for the legal actions of the current state.
 
 answers_legal(Table, Serial, [Kinds, Words]) :-

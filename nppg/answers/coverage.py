@@ -53,8 +53,7 @@ class Coverage:
         return list(zip(starts, [*starts[1:], len(self.states)], strict=True))
 
     def _ask_table(self) -> np.ndarray:
-        rows = [self.table.answers(self.states[a], self.actions[a:b]) for a, b in self._runs()]
-        return np.concatenate(rows) if rows else np.empty((0, len(self.table)), bool)
+        return self.table.answers_in([(self.states[a], self.actions[a:b]) for a, b in self._runs()])
 
     def matrix(self, candidates: Sequence[Refinement], members: np.ndarray, known: Known) -> tuple[np.ndarray, Known]:
         """The answers, shape (members, candidates), and what is now known.

@@ -24,6 +24,7 @@ from nppg.worlds.domain import Domain
 from nppg.worlds.legal import LegalActions
 from nppg.worlds.world import Action, State
 
+_STATES = 200  # that are handed over at once
 _MEMORY = 10_000  # lists of candidates whose columns are remembered
 
 
@@ -66,6 +67,11 @@ class Table(ABC):
     @abstractmethod
     def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """Shape (actions, tests): booleans, or numbers where tests may have bounds."""
+
+    def answers_in(self, pairs: Sequence[tuple[State, Sequence[Action]]]) -> np.ndarray:
+        """The answers about actions in many states, one below the other."""
+        rows = [self.answers(state, actions) for state, actions in pairs]
+        return np.concatenate(rows) if rows else np.empty((0, len(self)), bool)
 
     def place(self, test: Query) -> tuple[int, float]:
         """The column of a test in what `answers` returns, and its limit there."""
@@ -115,6 +121,18 @@ class TestTable(Table):
             bounded = [self.tests[column] for column in self.bounds]
             raise self.located(error, bounded, [(state, actions)]) from None
 
+    def answers_in(self, pairs: Sequence[tuple[State, Sequence[Action]]]) -> np.ndarray:
+        """Many states at a time, of which what they differ in is handed over. Where that goes wrong they are asked one by
+        one, to tell which state it is."""
+        rows = []
+        for i in range(0, len(pairs), _STATES):
+            try:
+                kinds, words = self.domain.loaded.answers_in(self.name, pairs[i : i + _STATES])
+                rows.append(self._rows(kinds, words))
+            except NppgError:
+                rows.append(super().answers_in(pairs[i : i + _STATES]))
+        return np.concatenate(rows) if rows else super().answers_in(pairs)
+
     def located(
         self, error: NppgError, tests: Iterable[Query], pairs: Sequence[tuple[State, Sequence[Action]]]
     ) -> NppgError:
@@ -141,11 +159,14 @@ class TestTable(Table):
                 actions = list(actions)  # before the visit: legal actions of another state may have to be found there
             self.domain.visit(state)
             kinds, words = self.domain.loaded.answers_about(self.name, actions)
+        return self._rows(kinds, words)
+
+    def _rows(self, kinds: list[int], words: list) -> np.ndarray:
         present = sorted(set(kinds))
         if len(present) == 1:
             own = self._words.kinds[present[0]]
             return own.rows(words, [i * own.words for i in range(len(kinds))])
-        result = np.empty((len(actions), len(self)), float if self.numeric else bool)
+        result = np.empty((len(kinds), len(self)), float if self.numeric else bool)
         sizes = [self._words.kinds[kind].words for kind in kinds]
         starts = np.cumsum([0, *sizes[:-1]])
         for kind in present:

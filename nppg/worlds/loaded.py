@@ -12,6 +12,7 @@ from nppg.bridge.prolog import ask, check_thread, drop_with
 from nppg.bridge.terms import Ground, ground, plain
 from nppg.worlds.state import (
     NOTHING,
+    FactNumbers,
     Interpretation,
     Static,
     facts_of,
@@ -118,6 +119,23 @@ class Loaded:
             if self._answers and self._answers[0] == table:
                 return self._answers[1], self._answers[2]
         kinds, words = ask("answers", table, plain(actions))
+        return kinds, words
+
+    def answers_in(self, table: str, pairs: Sequence[tuple[Sequence[Ground], Sequence[Ground]]]) -> tuple[list, list]:
+        """What a table answers about actions in each of some states, one after the other; the last becomes current."""
+        states = [self.interpreted(state) for state, _ in pairs]
+        given = [plain(actions) for _, actions in pairs]
+        facts = FactNumbers()
+        asked, before = [], facts.of(states[0])
+        for state, actions in zip(states, given, strict=True):
+            now = facts.of(state)
+            gone, new = [each for each in before if each not in now], [each for each in now if each not in before]
+            asked.append([self.number(state.static), gone, new, actions])
+            before = now
+        self.visit(states[0])
+        self.forget()
+        kinds, words = ask("answers_in", table, facts.facts, asked)
+        self.current = pairs[-1][0]
         return kinds, words
 
     def forget_answers(self) -> None:
