@@ -5,6 +5,7 @@
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(prolog_stack), []).
+:- use_module(call_graph, [static_predicate/2]).
 :- use_module(contract, [contract/1]).
 :- use_module(domain).
 :- use_module(guard).
@@ -144,6 +145,12 @@ members(Module, Predicate, Data) :-
 
 table(Module, Kinds, Goal, Table) :-
     new_table(Module, Kinds, Goal, Table).
+
+is_static(Module, Name, Arity, Answer) :-
+    (   static_predicate(Module, Name/Arity)
+    ->  Answer = true
+    ;   Answer = false
+    ).
 
 table_drop(Table, true) :-
     drop_examples(Table),

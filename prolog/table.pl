@@ -10,6 +10,7 @@
 :- use_module(blame).
 :- use_module(guard, [guarded/3]).
 :- use_module(join_order, [outgrown/3]).
+:- use_module(known_answers).
 :- use_module(layout).
 :- use_module(test_clauses, [word_clause/4]).
 
@@ -48,6 +49,7 @@ no_words(_, []).
 
 drop_table(Table) :-
     drop_layout(Table),
+    drop_answers_of(Table, _),
     retractall(given(Table, _, _, _)),
     retractall(sized(Table, _)),
     retractall(Table:'$row'(_, _, _)),
@@ -58,19 +60,22 @@ drop_table(Table) :-
 %
 %   Compiles new words, drops others, and says what is asked about the actions of every kind.
 %
-%   Words is a list of [Key, Arity, Word]. Word is a list of at most 60 tests, a test a list of literals as data, or a
+%   Words is a list of [Key, Arity, Word, IsStatic]. Word is a list of at most 60 tests, a test a list of literals as data, or a
 %   measure [measure, Test], the bound first in Test; the first Arity variables are the arguments that it is about, behind
-%   them come the goal's. Dropped is a list of keys. Kinds has a list for each kind of action, of [Key, Positions, Alone]:
+%   them come the goal's. IsStatic is true where none of them can depend on a fluent. Dropped is a list of keys. Kinds has a list for each kind of action, of [Key, Positions, Alone]:
 %   the word is asked about the arguments in these positions; Alone is true where no other action is asked the same.
 
 set_tests(Table, Dropped, Words, Kinds) :-
     forall(member(Key, Dropped), drop_word(Table, Key)),
-    forall(member([Key, Arity, Word], Words),
-           ( assertz(given(Table, Key, Arity, Word)), compile_word(Table, Key, Arity, Word) )),
+    forall(member([Key, Arity, Word, IsStatic], Words),
+           ( assertz(given(Table, Key, Arity, Word)),
+             compile_word(Table, Key, Arity, Word),
+             ( IsStatic == true -> keep_answers(Table, Key) ; true ) )),
     retractall(Table:'$questions'(_, _, _, _, _, _, _, _, _)),
     set_kinds(Kinds, 0, Table).
 
 drop_word(Table, Key) :-
+    drop_answers_of(Table, Key),
     retractall(given(Table, Key, _, _)),
     retractall(Table:'$row'(Key, _, _)),
     retractall(Table:'$solution'(Key, _, _)).
@@ -146,7 +151,11 @@ rows(Table, Actions, Kinds, Words) :-
     length(Words, Count),
     Asked is 60*Count,
     keysort(Shared, Sorted),
-    catch(guarded(Module:test/0, Asked, answered(Sorted, Own, Table)),
+    (   known_answers(Table, Module, Trie)
+    ->  Kept = known(Trie)
+    ;   Kept = none
+    ),
+    catch(guarded(Module:test/0, Asked, answered(Sorted, Own, Kept, Table)),
           nppg_fault(_, Fault),
           blame_table(Table, Sorted, Own, Fault)).
 
@@ -157,31 +166,45 @@ all_questions([Action|Actions], Table, GoalValues, [Kind|Kinds], Shared, Own, Wo
     ;   action_roots(Table, GoalValues, Action, Kind, _)      % says that there is no such kind
     ).
 
-answered(Sorted, Own, Table) :-
-    answer_shared(Sorted, Table),
-    answer_own(Own, Table).
+answered(Sorted, Own, Kept, Table) :-
+    answer_shared(Sorted, Kept, Table),
+    answer_own(Own, Kept, Table).
 
-answer_own([], _).
-answer_own([question(Key, Roots)-Word|Questions], Table) :-
-    Table:'$row'(Key, Roots, Word),
-    answer_own(Questions, Table).
+answer_own([], _, _).
+answer_own([question(Key, Roots)-Word|Questions], Kept, Table) :-
+    answer(Kept, Table, Key, Roots, Word),
+    answer_own(Questions, Kept, Table).
 
 %   Questions that are the same stand together.
 
-answer_shared([], _).
-answer_shared([Question-Word|Questions], Table) :-
+answer_shared([], _, _).
+answer_shared([Question-Word|Questions], Kept, Table) :-
     Question = question(Key, Roots),
-    Table:'$row'(Key, Roots, Word),
-    answer_again(Questions, Question, Word, Table).
+    answer(Kept, Table, Key, Roots, Word),
+    answer_again(Questions, Question, Word, Kept, Table).
 
-answer_again([], _, _, _).
-answer_again([Question-Word|Questions], Last, Known, Table) :-
+answer_again([], _, _, _, _).
+answer_again([Question-Word|Questions], Last, Known, Kept, Table) :-
     (   Question == Last
     ->  Word = Known,
-        answer_again(Questions, Last, Known, Table)
+        answer_again(Questions, Last, Known, Kept, Table)
     ;   Question = question(Key, Roots),
-        Table:'$row'(Key, Roots, Word),
-        answer_again(Questions, Question, Word, Table)
+        answer(Kept, Table, Key, Roots, Word),
+        answer_again(Questions, Question, Word, Kept, Table)
+    ).
+
+%   Kept is known(Trie) where some answers hold in every state of the problem, else `none`.
+
+answer(none, Table, Key, Roots, Word) :-
+    Table:'$row'(Key, Roots, Word).
+answer(known(Trie), Table, Key, Roots, Word) :-
+    (   is_kept(Table, Key)
+    ->  (   trie_lookup(Trie, question(Key, Roots), Known)
+        ->  Word = Known
+        ;   Table:'$row'(Key, Roots, Word),
+            trie_insert(Trie, question(Key, Roots), Word)
+        )
+    ;   Table:'$row'(Key, Roots, Word)
     ).
 
 %   Where asking does not finish, the single test at fault is looked for, so that the message can name its

@@ -201,3 +201,48 @@ def test_stored_instances_have_their_static_facts(tmp_path: Path) -> None:
     learned = Policy.load(tmp_path / "run" / "model.pl")
     stored = learned.facts["instance"]
     assert stored and all(any(fact[0] == "home" for fact in each[4][1:]) for each in stored)
+
+
+TRAVEL = """\
+:- module(travel, []).
+:- fluent at/1.
+:- static road/2.
+:- dead_ends.
+action(go(X, Y)) :- at(X), road(X, Y).
+effect(go(X, Y), [at(X)], [at(Y)]).
+goal :- fail.
+horizon(9).
+path(X, Y) :- road(X, Y).
+path(X, Y) :- road(X, Z), X @< Z, path(Z, Y).
+blocked(X) :- \\+ ( road(X, Y), at(Y) ).
+start([at(a)]).
+"""
+TRAVEL_BIAS = """\
+action: go(+place, +place)
+types: {at: [place], road: [place, place], path: [place, place], blocked: [place]}
+modes: [at(+), blocked(+), "path(+, +)", {literal: "road(+, -)", lookahead: 1}, {literal: "path(-, +)", lookahead: 1}]
+lookahead: 1
+"""
+
+
+def test_answers_kept_for_a_problem_are_those_that_would_be_given(tmp_path: Path, monkeypatch) -> None:
+    """Tests about roads are asked once a problem, those about where somebody is in every state; the answers are those
+    of a table that keeps none, when problems and states alternate, too."""
+    domain, bias = Domain(written(tmp_path, TRAVEL)), LanguageBias.parse(TRAVEL_BIAS, "travel.yaml")
+    tests = [each.test for each in Refiner(bias).refinements(())]
+    keeping, plain = TestTable(domain, bias), TestTable(domain, bias)
+    keeping.add(tests)
+    with monkeypatch.context() as patched:
+        patched.setattr(domain.loaded, "is_static", lambda name, arity: False)
+        plain.add(tests)
+    assert {name for name, arity in domain.predicates if domain.loaded.is_static(name, arity)} == {"road", "path"}
+    rng = np.random.default_rng(0)
+    problems = []
+    for _ in range(4):
+        roads = [f"road({x}, {y})" for x in "abcd" for y in "abcd" if x != y and rng.random() < 0.6]
+        problems.append([domain.state(", ".join([f"at({place})", *roads, "road(a, b)"])) for place in "abcd"])
+    for _ in range(60):
+        state = problems[rng.integers(4)][rng.integers(4)]
+        actions = domain.situation(state).actions
+        if actions:
+            assert (keeping.answers(state, actions) == plain.answers(state, actions)).all()

@@ -116,8 +116,13 @@ class TestTable(Table):
         goal = [bias.goal.name, len(bias.goal.types)] if bias.goal else []
         self.name: str = ask("table", domain.module, kinds, goal)
         drop_with(self, "table_drop", self.name)
-        self._words = Words(bias)
+        self._words = Words(bias, self._is_static)
         self.loaded: Callable[[], object] = lambda: None  # the Coverage whose examples Prolog holds
+
+    def _is_static(self, test: Query) -> bool:
+        """Whether it has the same answer in every state of a problem, as far as the domain's program tells."""
+        called = {(each.name, len(each.args)) for each in test if each.name != "=" and each.name not in OPEN}
+        return all(self.domain.loaded.is_static(*each) for each in called)
 
     def _prepare(self, columns: Sequence[int]) -> None:
         tests = [(column, self.tests[column]) for column in columns]

@@ -2,12 +2,13 @@
 
 Tests that ask the same, `clear(X)` and `clear(Y)` of `move(X, Y)`, are one *form*, of the arguments that they are
 about. Forms that are asked of the same places, here the first and the second argument, share words: each word is asked
-once in a state for every choice of arguments. See prolog/table.pl.
+once in a state for every choice of arguments. See prolog/table.pl. Tests whose answers are the same in every state of a
+problem have words of their own, as these are asked once; see prolog/known_answers.pl.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -36,18 +37,21 @@ class Form(NamedTuple):
         return any(map(is_open, self.query))
 
 
+Group = tuple[tuple[Place, ...], bool]  # what forms share that share words: the places, and whether they are static
 Asked = tuple[Form, tuple[int, ...]]  # of arguments of an action, by their positions
 
 
 class Words:
     """The words of a table, by the places that they are asked of."""
 
-    def __init__(self, bias: LanguageBias):
+    def __init__(self, bias: LanguageBias, is_static: Callable[[Query], bool]):
+        """`is_static`: whether a test has the same answer in every state of a problem."""
         self.kinds = [_Kind() for _ in bias.actions]
         self._bias = bias
+        self._is_static = is_static
         self._places: dict[Form, list[Place]] = {}
-        self._forms: dict[tuple[Place, ...], list[Form]] = {}  # those that are asked of these places
-        self._words: dict[tuple[Place, ...], list[Word]] = {}  # the same, of new ones not yet
+        self._forms: dict[Group, list[Form]] = {}
+        self._words: dict[Group, list[Word]] = {}  # the same, of new ones not yet
         self._keys: dict[Word, int] = {}
         self._last = 0
 
@@ -63,18 +67,19 @@ class Words:
                     form, positions = found
                     kind.columns[column] = found
                     self._ask(form, (number, positions))
-        for places, forms in self._forms.items():
-            if places not in self._words:
-                self._words[places] = list(_words(forms))
+        for group, forms in self._forms.items():
+            if group not in self._words:
+                self._words[group] = list(_words(forms))
         old, self._keys = self._keys, {}
         for word in (word for own in self._words.values() for word in own):
             self._keys[word] = old.get(word) or self._last + 1
             self._last = max(self._last, self._keys[word])
-        new = [[key, word[0].arity, _data(word)] for word, key in self._keys.items() if word not in old]
+        static = {word: str(static).lower() for (_, static), own in self._words.items() for word in own}
+        new = [[key, word[0].arity, _data(word), static[word]] for word, key in self._keys.items() if word not in old]
         asked: list[list] = [[] for _ in self.kinds]
         for number, kind in enumerate(self.kinds):
             stands: dict[Asked, tuple[int, int]] = {}
-            for places, own in self._words.items():
+            for (places, _), own in self._words.items():
                 for positions in (positions for each, positions in places if each == number):
                     alone = len(places) == 1 and len(positions) == len(self._bias.actions[number].types) > 0
                     for word in own:
@@ -85,14 +90,14 @@ class Words:
 
     def _ask(self, form: Form, place: Place) -> None:
         """Asks a form of one more place."""
-        old = self._places.get(form, [])
+        old, static = self._places.get(form, []), self._is_static(form.query)
         if place not in old:
             if old:
-                self._forms[tuple(old)].remove(form)
-                self._words.pop(tuple(old), None)
+                self._forms[tuple(old), static].remove(form)
+                self._words.pop((tuple(old), static), None)
             self._places[form] = new = sorted([*old, place])
-            self._forms.setdefault(tuple(new), []).append(form)
-            self._words.pop(tuple(new), None)
+            self._forms.setdefault((tuple(new), static), []).append(form)
+            self._words.pop((tuple(new), static), None)
 
     def _form(self, test: Query, kind: int) -> Asked | None:
         """What a test asks, and of which arguments of an action of this kind; None if it is about another kind's, so

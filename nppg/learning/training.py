@@ -23,7 +23,7 @@ from nppg.trees.tree import leaves
 from nppg.worlds.domain import Domain
 from nppg.worlds.world import Action, State
 
-_LARGE = 200  # a table of more tests is asked about steps that trees learn from alone: most of a large world's teach none
+_LARGE = 200  # a table of more tests is asked about steps that trees learn from alone: most teach nothing
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,8 +42,8 @@ def updated_actions(step: Step, options: Options) -> slice:
 
 def examples(batch: Sequence[Visit], options: Options, trees: int = 0, table: Table | None = None) -> Examples:
     """The functional gradient at each updated action b (Proposition 3.1); for a second-order step also the curvature
-    |value| pi(s, b) (1 - pi(s, b)), and lambda as it is after so many trees. The answers are those of the steps; where a
-    table is given, its own, which are asked for now."""
+    |value| pi(s, b) (1 - pi(s, b)), and lambda as it is after so many trees. The answers are those of the steps; where
+    a table is given, its own, which are asked for now."""
     states: list[State] = []
     actions: list[Action] = []
     answers, gradients, curvatures = [], [], []
@@ -61,7 +61,8 @@ def examples(batch: Sequence[Visit], options: Options, trees: int = 0, table: Ta
         actions += step.actions[updated]
         states += [step.state] * len(gradients[-1])
     if table is not None:
-        answers.append(table.answers_in([(step.state, step.actions[updated_actions(step, options)]) for step, *_ in batch]))
+        pairs = [(step.state, step.actions[updated_actions(step, options)]) for step, *_ in batch]
+        answers.append(table.answers_in(pairs))
     regularisation = options.regularisation * (1 + options.regularisation_growth * trees)
     newton = Newton(np.concatenate(curvatures), regularisation, options.clip)
     return Examples(

@@ -33,6 +33,7 @@ class Loaded:
         self.description = dict(entries)
         self.current: Sequence[Ground] | None = None
         self.situation: list | None = None  # that of the current state, where it is known
+        self._are_static: dict[tuple[str, int], bool] = {}  # predicates
         self.legal: list[Ground] = []  # its legal actions, where they are known
         self._answers: list = []  # a table's about these, where they are known
         self._table = ""  # the one that has been asked about these, and is likely to be asked in the next state, too
@@ -138,6 +139,12 @@ class Loaded:
         kinds, words = ask("answers_in", table, facts.facts, asked)
         self.current = pairs[-1][0]
         return kinds, words
+
+    def is_static(self, name: str, arity: int) -> bool:
+        """Whether no answer of a predicate can depend on a fluent, as far as the program tells."""
+        if (name, arity) not in self._are_static:
+            self._are_static[name, arity] = ask("is_static", self.module, name, arity) == "true"
+        return self._are_static[name, arity]
 
     def forget_answers(self) -> None:
         """To be called where a table will answer in another way."""
