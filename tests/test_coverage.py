@@ -220,7 +220,7 @@ def test_a_pack_tries_every_answer_of_its_prefix(blocks: Domain, relational_bias
 
 
 def test_an_action_without_a_template_is_named(blocks: Domain, plain_bias: LanguageBias) -> None:
-    table = TestTable(blocks, plain_bias)
+    table = root_table(blocks, plain_bias, Refiner(plain_bias))
     (state,) = visited(blocks, 1)
     with pytest.raises(NppgError, match="lift"):
         table.answers(state, [("lift", "b1")])
