@@ -20,6 +20,7 @@ from nppg.rrl.options import InstanceOptions
 
 _NEWS = 1e-6  # an error up to this share of the largest value met is never worth an instance
 _FLAT = 4.0  # up to this power weights are kept in single precision; others differ too widely for its exponents
+_REMEMBERED = 2**25  # distances of classes from the instances that are remembered: 256 MB at most
 _ROWS = 64  # of a square matrix that are worked on together, so that they stay in the processor's cache
 
 
@@ -43,6 +44,9 @@ class Instances:
         self._values = np.zeros(room)
         # 1 / d_ij^power between instances, 0 on the diagonal; only for the choice of what to remove: precise enough
         self._weights = np.zeros((room, room), np.float32 if options.power <= _FLAT else np.float64)
+        self._changed = np.zeros(room, np.int64)  # when each place took its instance, in changes
+        self._changes = 0
+        self._forget()
 
     def __len__(self) -> int:
         return self._size
@@ -59,7 +63,34 @@ class Instances:
 
     def predict(self, pairs: np.ndarray) -> np.ndarray:
         """q of each class, shape (pairs,)."""
-        return self._predicted(self.distance.rows(pairs, self._pairs[: self._size]))
+        return self._predicted(self._distances(pairs))
+
+    def _distances(self, pairs: np.ndarray) -> np.ndarray:
+        """Of classes from the instances, shape (pairs, instances). They are remembered: only the distances from
+        instances that have come since a class was met last are computed."""
+        unknown = [each for each in dict.fromkeys(pairs.tolist()) if each not in self._row_of]
+        if len(self._row_of) + len(unknown) > len(self._rows):
+            self._forget()
+            unknown = list(dict.fromkeys(pairs.tolist()))
+            if len(unknown) > len(self._rows):
+                return self.distance.rows(pairs, self._pairs[: self._size])
+        for each in unknown:
+            self._row_of[each] = len(self._row_of)
+        rows = np.array([self._row_of[each] for each in pairs.tolist()], np.int64)
+        looked = self._looked[rows]
+        if len(rows) and looked.min() < self._changes:
+            for when in np.unique(looked[looked < self._changes]).tolist():
+                new = np.flatnonzero(self._changed[: self._size] > when)
+                some = looked == when
+                self._rows[rows[some, None], new] = self.distance.rows(pairs[some], self._pairs[new])
+            self._looked[rows] = self._changes
+        return self._rows[rows, : self._size]
+
+    def _forget(self) -> None:
+        room = len(self._pairs)
+        self._rows = np.zeros((_REMEMBERED // room, room))  # zeros take no room before they are used
+        self._looked = np.zeros(len(self._rows), np.int64)  # how many changes each row has seen
+        self._row_of: dict[int, int] = {}  # of each class that is remembered
 
     def _predicted(self, distances: np.ndarray) -> np.ndarray:
         if self._size == 0:
@@ -74,7 +105,7 @@ class Instances:
     def update(self, pair: int, value: float) -> None:
         """Learns from one example. The value of a class that is stored becomes that of the example."""
         self.unit = max(self.unit, abs(value))
-        distances = self.distance.rows(np.array([pair]), self._pairs[: self._size])
+        distances = self._distances(np.array([pair]))
         same = np.flatnonzero(distances[0] == 0)
         if len(same):
             self._values[same] = value
@@ -88,7 +119,7 @@ class Instances:
         if self._size == self.options.max_instances:
             raise ValueError(f"there is room for {self.options.max_instances} instances only")
         self.unit = max(self.unit, abs(value))
-        self._append(pair, value, self.distance.rows(np.array([pair]), self._pairs[: self._size])[0])
+        self._append(pair, value, self._distances(np.array([pair]))[0])
 
     def _is_news(self, error: float, distances: np.ndarray) -> bool:
         """Whether an example is so badly predicted that it should be stored: its error is more than `global_deviation`
@@ -104,7 +135,13 @@ class Instances:
         last = self._size
         self._pairs[last], self._values[last] = pair, value
         self._weights[last, :last] = self._weights[:last, last] = distances**-self.options.power
+        self._take(last)
         self._size += 1
+
+    def _take(self, place: int) -> None:
+        """Notes that there is another instance in a place."""
+        self._changes += 1
+        self._changed[place] = self._changes
 
     def _remove(self, gone: int) -> None:
         """The last instance takes the place of the one that goes."""
@@ -112,6 +149,7 @@ class Instances:
         for array in (self._pairs, self._values, self._weights, self._weights.T):
             array[gone] = array[last]
         self._weights[gone, gone] = 0
+        self._take(gone)
 
     # -------------------------------------------------- which instance to remove
 
