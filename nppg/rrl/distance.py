@@ -68,22 +68,40 @@ class PairDistance:
             goal = self.domain.binding(state, self.goal.name, arity)
             if not self.domain.has_parts:
                 parts = tuple(part for part in parts if (part[0], len(part) - 1) != (self.goal.name, arity))
-        return np.array([self._class(state, action, goal, parts) for action in plain(actions)], np.int64)
-
-    def _class(
-        self, state: State, action: Action, goal: tuple[Ground, ...], parts: tuple[tuple[Ground, ...], ...]
-    ) -> int:
-        name, *args = action if isinstance(action, tuple) else (action,)
-        kind = self._number((None, name, len(args)))
-        labels = [kind]
         names: dict[Ground, int] = {}
-        for owner, values in ((None, goal), (kind, args)):
-            for i, each in enumerate(values):
-                if each not in names and self._is_object(each):
-                    names[each] = self._number((None, owner, i, None))
-                labels.append(self._symbol(each, names))
-        number = self._sets.number(tuple([self._symbol(each, names) for each in part]) for part in parts)
-        key = (number, *labels)
+        self._name(None, goal, names)
+        labels = tuple([self._symbol(each, names) for each in goal])
+        symbols = [tuple([self._symbol(each, names) for each in part]) for part in parts]
+        inside: dict[Ground, list[int]] = {}  # the parts that a term is in
+        for i, part in enumerate(parts):
+            for each in _terms(part):
+                inside.setdefault(each, []).append(i)
+        numbers = []
+        for action in plain(actions):
+            kind, args = self._kind(action)
+            own = names.copy()
+            self._name(kind, args, own)
+            renamed = symbols.copy()
+            for i in {i for each in own.keys() - names.keys() for i in inside.get(each, ())}:
+                renamed[i] = tuple([self._symbol(each, own) for each in parts[i]])
+            key = (self._sets.number(renamed), kind, *labels, *[self._symbol(each, own) for each in args])
+            numbers.append(self._class(key, state, action))
+        return np.array(numbers, np.int64)
+
+    def _kind(self, action: Action) -> tuple[int, tuple[Ground, ...]]:
+        """The number of a kind of actions, and the action's arguments."""
+        name, *args = action if isinstance(action, tuple) else (action,)
+        return self._number((None, name, len(args))), tuple(args)
+
+    def _name(self, owner: int | None, values: tuple[Ground, ...], names: dict[Ground, int]) -> None:
+        """Gives those objects names that play roles for the first time."""
+        for i, each in enumerate(values):
+            if each not in names and self._is_object(each):
+                names[each] = self._number((None, owner, i, None))
+
+    def _class(self, key: tuple[int, ...], state: State, action: Action) -> int:
+        """The number of the class that has this set of parts and these labels."""
+        number, *labels = key
         found = self._classes.setdefault(key, len(self._classes))
         if found == len(self._examples):
             self._examples.append((state, action))
@@ -114,9 +132,13 @@ class PairDistance:
 
     def rows(self, pairs: np.ndarray, others: np.ndarray) -> np.ndarray:
         """The distances of classes, by their numbers, from others; float64, shape (pairs, others)."""
-        lefts, left = np.unique(self._set_of[pairs], return_inverse=True)
-        rights, right = np.unique(self._set_of[others], return_inverse=True)
-        distances = self._sets.distances(lefts, rights)[left[:, None], right].astype(float)
+        sets, row = np.unique(self._set_of[pairs], return_inverse=True)  # actions that leave a state's parts alike
+        distances = self._sets.distances(sets, self._set_of[others])[row].astype(float)
         for role in range(self._labels.shape[1]):
             distances += self.mismatch * (self._labels[pairs, role, None] != self._labels[others, role])
         return distances
+
+
+def _terms(term: Ground) -> set[Ground]:
+    """A term, and what stands in it."""
+    return {term}.union(*map(_terms, term)) if isinstance(term, tuple) else {term}

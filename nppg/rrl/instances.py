@@ -17,11 +17,11 @@ from typing import Protocol
 import numpy as np
 
 from nppg.rrl.options import InstanceOptions
+from nppg.rrl.removal import Contributions, error_contributions, variance_excess
 
 _NEWS = 1e-6  # an error up to this share of the largest value met is never worth an instance
 _FLAT = 4.0  # up to this power weights are kept in single precision; others differ too widely for its exponents
 _REMEMBERED = 2**25  # distances of classes from the instances that are remembered: 256 MB at most
-_ROWS = 64  # of a square matrix that are worked on together, so that they stay in the processor's cache
 
 
 class Distance(Protocol):
@@ -44,6 +44,7 @@ class Instances:
         self._values = np.zeros(room)
         # 1 / d_ij^power between instances, 0 on the diagonal; only for the choice of what to remove: precise enough
         self._weights = np.zeros((room, room), np.float32 if options.power <= _FLAT else np.float64)
+        self._contributions = Contributions(self._weights, self._values)
         self._changed = np.zeros(room, np.int64)  # when each place took its instance, in changes
         self._changes = 0
         self._forget()
@@ -108,6 +109,8 @@ class Instances:
         distances = self._distances(np.array([pair]))
         same = np.flatnonzero(distances[0] == 0)
         if len(same):
+            for place in same.tolist():
+                self._contributions.revalue(place, value, self._size)
             self._values[same] = value
         elif self._is_news(abs(value - self._predicted(distances)[0]), distances[0]):
             self._append(pair, value, distances[0])
@@ -135,6 +138,7 @@ class Instances:
         last = self._size
         self._pairs[last], self._values[last] = pair, value
         self._weights[last, :last] = self._weights[:last, last] = distances**-self.options.power
+        self._contributions.add(last)
         self._take(last)
         self._size += 1
 
@@ -145,6 +149,7 @@ class Instances:
 
     def _remove(self, gone: int) -> None:
         """The last instance takes the place of the one that goes."""
+        self._contributions.remove(gone, self._size)
         self._size = last = self._size - 1
         for array in (self._pairs, self._values, self._weights, self._weights.T):
             array[gone] = array[last]
@@ -158,65 +163,16 @@ class Instances:
             excess = self.variance_excess()
             if excess.max() > 0:
                 return int(excess.argmax())
-        return int(self.error_contributions().argmin())
+        return self._contributions.least(self._size)
 
     def error_contributions(self) -> np.ndarray:
-        """What removing an instance costs, shape (instances,): the error of its own prediction from the others, and by
-        how much such errors of the others grow in all. There must be three instances or more.
-
-        Without its own error an instance that differs from its neighbours would always be the first to go, and as only
-        what differs comes in, memory would keep what it held when it was first full.
-
-        With T_i = sum_j w_ij and S_i = sum_j w_ij q_j, the error of i without k is
-
-            |q_i - (S_i - w_ik q_k) / (T_i - w_ik)| = |q_i T_i - S_i - w_ik (q_i - q_k)| / (T_i - w_ik).
-
-        Where w_ik is more than half of T_i, that is the difference of two numbers that may be as good as equal: both
-        sums are then made anew without k, the one nearest to i.
-        """
-        n = self._size
-        weights = self._weights[:n, :n]
-        values = self._values[:n].astype(weights.dtype)
-        totals = weights.sum(axis=1)
-        offsets = values * totals - weights @ values
-        nearest = weights.argmax(axis=1)
-        ruled = np.flatnonzero(weights[np.arange(n), nearest] > totals / 2)
-        others = weights[ruled]
-        others[np.arange(len(ruled)), nearest[ruled]] = 0
-        rests = others.sum(axis=1)
-        without = np.abs(values[ruled] * rests - others @ values) / rests
-        summed = np.zeros(n)
-        for start in range(0, n, _ROWS):
-            some = slice(start, start + _ROWS)
-            errors = values[some, None] - values
-            errors *= weights[some]
-            np.subtract(offsets[some, None], errors, out=errors)
-            np.abs(errors, out=errors)
-            rest = totals[some, None] - weights[some]
-            own = slice(*np.searchsorted(ruled, (start, start + _ROWS)))
-            rest[ruled[own] - start, nearest[ruled[own]]] = 1
-            errors /= rest
-            errors[ruled[own] - start, nearest[ruled[own]]] = without[own]
-            summed += errors.sum(axis=0)
-        alone = np.abs(offsets) / totals
-        return summed - alone.sum() + alone  # in both sums the instance's own error is there and the same
+        """What removing an instance costs, shape (instances,); see removal.py."""
+        return error_contributions(self._weights[: self._size, : self._size], self._values[: self._size])
 
     def variance_excess(self) -> np.ndarray:
-        """By how much an instance's slopes |q_i - q_j| / d_ij exceed `max_gradient` in all, shape (instances,). An M
-        that is too small for the values keeps what is new out of a full memory."""
-        n = self._size
-        weights = self._weights[:n, :n] ** (1 / self.options.power)
-        values = self._values[:n].astype(weights.dtype)
-        excess = np.zeros(n)
-        for start in range(0, n, _ROWS):
-            some = slice(start, start + _ROWS)
-            slopes = values[some, None] - values
-            np.abs(slopes, out=slopes)
-            slopes *= weights[some]
-            slopes -= self.options.max_gradient
-            np.maximum(slopes, 0, out=slopes)
-            excess[some] = slopes.sum(axis=1)
-        return excess
+        """By how much an instance's slopes |q_i - q_j| / d_ij exceed `max_gradient` in all, shape (instances,)."""
+        inverse = self._weights[: self._size, : self._size] ** (1 / self.options.power)
+        return variance_excess(inverse, self._values[: self._size], self.options.max_gradient)
 
 
 def _deviation(values: np.ndarray) -> float:
