@@ -74,7 +74,7 @@ def test_matching(sets: list[list[tuple]]) -> None:
     assert between(numbered, numbers[:1], []) == [[]] and between(numbered, [], numbers) == []
 
 
-@pytest.mark.parametrize("name, value", [("_SUBSETS", 0), ("_TABLE", 3), ("_BATCH", 2)])
+@pytest.mark.parametrize("name, value", [("_SUBSETS", 0), ("_TABLE", 3), ("_BATCH", 2), ("_SINGLES", 0)])
 def test_other_ways_to_match(monkeypatch: pytest.MonkeyPatch, name: str, value: int) -> None:
     """By assignment, without a table and in small batches, all comes out the same."""
     rng = Random(0)

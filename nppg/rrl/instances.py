@@ -21,7 +21,8 @@ from nppg.rrl.removal import Contributions, error_contributions, variance_excess
 
 _NEWS = 1e-6  # an error up to this share of the largest value met is never worth an instance
 _FLAT = 4.0  # up to this power weights are kept in single precision; others differ too widely for its exponents
-_REMEMBERED = 2**25  # distances of classes from the instances that are remembered: 256 MB at most
+_REMEMBERED = 2**28  # bytes for distances of classes from the instances, at most
+_TOGETHER = 2**20  # distances that are computed together
 
 
 class Distance(Protocol):
@@ -47,7 +48,7 @@ class Instances:
         self._contributions = Contributions(self._weights, self._values)
         self._changed = np.zeros(room, np.int64)  # when each place took its instance, in changes
         self._changes = 0
-        self._forget()
+        self._forget(np.float32)
 
     def __len__(self) -> int:
         return self._size
@@ -69,28 +70,34 @@ class Instances:
     def _distances(self, pairs: np.ndarray) -> np.ndarray:
         """Of classes from the instances, shape (pairs, instances). They are remembered: only the distances from
         instances that have come since a class was met last are computed."""
-        unknown = [each for each in dict.fromkeys(pairs.tolist()) if each not in self._row_of]
+        unknown = {each for each in pairs.tolist() if each not in self._row_of}
         if len(self._row_of) + len(unknown) > len(self._rows):
-            self._forget()
-            unknown = list(dict.fromkeys(pairs.tolist()))
-            if len(unknown) > len(self._rows):
+            self._forget(self._rows.dtype)
+            if len(set(pairs.tolist())) > len(self._rows):
                 return self.distance.rows(pairs, self._pairs[: self._size])
-        for each in unknown:
-            self._row_of[each] = len(self._row_of)
-        rows = np.array([self._row_of[each] for each in pairs.tolist()], np.int64)
+        rows = np.array([self._row_of.setdefault(each, len(self._row_of)) for each in pairs.tolist()], np.int64)
         looked = self._looked[rows]
-        if len(rows) and looked.min() < self._changes:
-            for when in np.unique(looked[looked < self._changes]).tolist():
-                new = np.flatnonzero(self._changed[: self._size] > when)
-                some = looked == when
-                self._rows[rows[some, None], new] = self.distance.rows(pairs[some], self._pairs[new])
-            self._looked[rows] = self._changes
-        return self._rows[rows, : self._size]
+        for when in np.unique(looked[looked < self._changes]).tolist():
+            new = np.flatnonzero(self._changed[: self._size] > when)
+            some = np.flatnonzero(looked == when)
+            step = 1 + _TOGETHER // max(1, len(new))
+            for start in range(0, len(some), step):
+                batch = some[start : start + step]
+                found = self.distance.rows(pairs[batch], self._pairs[new])
+                kept = found.astype(self._rows.dtype)
+                if (kept != found).any():
+                    self._forget(np.float64)
+                    return self._distances(pairs)
+                self._rows[rows[batch, None], new] = kept
+        self._looked[rows] = self._changes
+        return self._rows[rows, : self._size].astype(float)
 
-    def _forget(self) -> None:
+    def _forget(self, precision: type | np.dtype) -> None:
+        """Begins anew to remember; in single precision as long as distances are as good there."""
         room = len(self._pairs)
-        self._rows = np.zeros((_REMEMBERED // room, room))  # zeros take no room before they are used
-        self._looked = np.zeros(len(self._rows), np.int64)  # how many changes each row has seen
+        size = _REMEMBERED // np.dtype(precision).itemsize // room
+        self._rows = np.zeros((size, room), precision)  # zeros take no room before they are used
+        self._looked = np.zeros(size, np.int64)  # how many changes each row has seen
         self._row_of: dict[int, int] = {}  # of each class that is remembered
 
     def _predicted(self, distances: np.ndarray) -> np.ndarray:

@@ -18,6 +18,7 @@ Part = tuple[int, ...]
 
 _TABLE = 4096  # numbers of parts whose distances are tabulated
 _BATCH = 16384  # pairs of sets that are looked at together
+_SINGLES = 6  # so many pairs of sets are looked at one by one
 _SUBSETS = 6  # a matching with no more than so many parts on one side is found by going through their subsets
 
 
@@ -77,17 +78,26 @@ class PartSets:
     def distances(self, lefts: np.ndarray, rights: np.ndarray) -> np.ndarray:
         """The distances of sets, by their numbers, from others, shape (lefts, rights)."""
         self._tabulate()
+        if len(lefts) * len(rights) <= _SINGLES:
+            return np.array([[self._single(left, right) for right in rights] for left in lefts]).reshape(
+                len(lefts), len(rights)
+            )
         found = np.zeros((len(lefts), len(rights)), np.int64)
         order = np.argsort(-self._sizes[rights], kind="stable")
         rights, sizes = rights[order], self._sizes[lefts]
         step = 1 + _BATCH // max(1, len(rights))
-        for size in np.flatnonzero(np.bincount(sizes)).tolist() if found.size else ():
+        for size in np.flatnonzero(np.bincount(sizes)).tolist():
             some = np.flatnonzero(sizes == size)
             for start in range(0, len(some), step):
                 batch = some[start : start + step]
                 compared = self._few if size <= _SUBSETS else self._many
                 found[batch[:, None], order] = compared(lefts[batch], rights)
         return found
+
+    def _single(self, left: int, right: int) -> int:
+        sets = [self._members[each, : self._sizes[each]] for each in (left, right)]
+        gains = self._gain(sets[0][:, None], sets[1])
+        return self._total[left] + self._total[right] + gains[self._assignment(gains)].sum()
 
     def _few(self, lefts: np.ndarray, rights: np.ndarray) -> np.ndarray:
         """As `distances`, of sets that have equally few parts, from others that come by size, the largest first. What
