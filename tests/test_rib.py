@@ -242,7 +242,8 @@ def test_the_least_contribution(seed: int, room: int, power: float, noise: float
                 weights, values = instances._weights[:n, :n], instances._values[:n]
                 assert (removal.error_contributions(weights, values, some) == costs[some]).all()
         n = len(instances)
-        weights, values = instances._weights[:n, :n].astype(float), instances._values[:n].astype(instances._weights.dtype)
+        weights, values = instances._weights[:n, :n], instances._values[:n].astype(instances._weights.dtype)
+        weights = weights.astype(float)
         assert np.allclose(quick._sums[:, :n], (weights.sum(axis=1), weights @ values, (weights**2).sum(axis=1)))
         if 4 * quick._largest <= quick._sums[0, :n].min():
             q, predicted = values.astype(float), quick._sums[1, :n] / quick._sums[0, :n]
