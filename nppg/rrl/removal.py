@@ -89,11 +89,12 @@ class Contributions:
 
         e_i + d_ik,  d_ik = w_ik (q_k - p_i) / (T_i - w_ik),
 
-    so that the contribution of k is |e_k| + sum_i (|e_i + d_ik| - |e_i|), which is |e_k| + sum_i sign(e_i) d_ik or more.
-    This bound is nearly linear in the weights: without w_ik in the denominator its sum is q_k (W u)_k - (W v)_k with
+    so that the contribution of k is |e_k| + sum_i (|e_i + d_ik| - |e_i|), at least |e_k| + sum_i sign(e_i) d_ik. This
+    bound is nearly linear in the weights: without w_ik in the denominator its sum is q_k (W u)_k - (W v)_k with
     u_i = sign(e_i) / T_i and v_i = u_i p_i. These products last while the only change is that another instance comes
-    and goes again; how far that and the denominators can lower the sum is bounded for all k at once. Of those that may be least by their bounds the contributions are computed, in double precision; between those that
-    differ by no more than rounding `error_contributions` decides.
+    and goes again; how far that and the denominators can lower the sum is bounded for all k at once. Of those that may
+    be least by their bounds the contributions are computed, in double precision; between those that differ by no more
+    than rounding `error_contributions` decides.
     """
 
     def __init__(self, weights: np.ndarray, values: np.ndarray):
