@@ -6,9 +6,12 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from nppg import LanguageBias, NppgError
 from nppg.judging.space import Space
+from nppg.rrl import removal
 from nppg.rrl.distance import PairDistance
 from nppg.rrl.instances import Instances
 from nppg.rrl.options import RIBOptions
@@ -206,6 +209,62 @@ def test_removal(removal: str, most: float) -> None:
             assert grown[gone] <= min(grown.values()) + 1e-4
         removed += 1
     assert removed >= 60
+
+
+@settings(max_examples=60)
+@given(
+    st.integers(0, 10**6),
+    st.integers(3, 60),
+    st.sampled_from([1.0, 3.0, 8.0]),
+    st.sampled_from([0.0, 0.01, 1.0]),
+    st.sampled_from([2.0**-30, 1.0, 2.0**30]),
+    st.sampled_from([1, 4, 100]),
+)
+def test_the_least_contribution(seed: int, room: int, power: float, noise: float, unit: float, few: int) -> None:
+    """While instances come, go and take other values, the bounds hold, and the one that is found is the one of all
+    contributions, to the byte; also where values are alike and nearly alike, so that nothing is certain."""
+    rng = np.random.default_rng(seed)
+    points = Points(3 * room, seed)
+    points.table = np.ceil(points.table * rng.choice([0.3, 3]))
+    instances = Instances(points, RIBOptions(max_instances=room, power=power))
+    quick = instances._contributions
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(removal, "_MANY", 3)
+        patch.setattr(removal, "_FEW", min(few, room - 1))
+        patch.setattr(removal, "_SOME", few)
+        for pair in rng.integers(len(points.table), size=4 * room).tolist():
+            instances.update(pair, unit * (rng.integers(3) + noise * rng.normal()))
+            n = len(instances)
+            if n >= max(3, min(few, room - 1) + 1):
+                costs = instances.error_contributions()
+                assert quick.least(n) == costs.argmin()
+                some = rng.permutation(n)[: rng.integers(2, n + 1)]
+                weights, values = instances._weights[:n, :n], instances._values[:n]
+                assert (removal.error_contributions(weights, values, some) == costs[some]).all()
+        n = len(instances)
+        weights, values = instances._weights[:n, :n], instances._values[:n].astype(instances._weights.dtype)
+        weights = weights.astype(float)
+        assert np.allclose(quick._sums[:, :n], (weights.sum(axis=1), weights @ values, (weights**2).sum(axis=1)))
+        if 4 * quick._largest <= quick._sums[0, :n].min():
+            q, predicted = values.astype(float), quick._sums[1, :n] / quick._sums[0, :n]
+            bounds = quick._bounds(q, predicted, q - predicted)
+            slack = removal.error_contributions(weights, q)[:-1] - bounds
+            assert slack.min() >= -1e-5 * unit * (3 + 5 * noise)
+
+
+@pytest.mark.parametrize("remembered", [0, 3 * 8 * 21, 40 * 8 * 21, 2**20])
+def test_distances_are_remembered(monkeypatch: pytest.MonkeyPatch, remembered: int) -> None:
+    """What is remembered, brought up to date, forgotten, or too much to be remembered, is what is computed."""
+    monkeypatch.setattr("nppg.rrl.instances._REMEMBERED", remembered)
+    monkeypatch.setattr("nppg.rrl.instances._TOGETHER", 30)
+    points, rng = Points(80, seed=2), np.random.default_rng(3)
+    points.table[:60, :60] = np.rint(points.table[:60, :60])  # single precision has these, and not the others
+    instances = Instances(points, RIBOptions(max_instances=20))
+    for pair in [*rng.integers(60, size=100), *rng.integers(80, size=300)]:
+        instances.update(int(pair), float(rng.normal()))
+        some = rng.integers(80, size=rng.integers(6))
+        assert (instances._distances(some) == points.rows(some, instances.pairs)).all()
+    assert len(instances) == 20
 
 
 @pytest.mark.parametrize("removal", ["error-contribution", "maximum-variance"])

@@ -21,7 +21,7 @@ from nppg import Domain, LanguageBias, NppgError
 from nppg.bridge.terms import Ground
 from nppg.judging.canonical import Canonizer
 from nppg.judging.space import Space
-from nppg.rrl import distance, matching
+from nppg.rrl import matching
 from nppg.rrl.distance import PairDistance
 from nppg.rrl.matching import PartSets, edit_distances, grown
 from nppg.worlds.world import Action, State
@@ -47,8 +47,8 @@ def matched(left: list[tuple], right: list[tuple]) -> int:
     return min(sum(map(levenshtein, left, order)) for order in permutations(right))
 
 
-def between(numbered: PartSets, lefts: list[int], rights: list[int]) -> list[int]:
-    return numbered.distances(np.array(lefts), np.array(rights)).tolist()
+def between(numbered: PartSets, lefts: list[int], rights: list[int]) -> list[list[int]]:
+    return numbered.distances(np.array(lefts, int), np.array(rights, int)).tolist()
 
 
 @given(st.lists(st.tuples(PARTS, PARTS), min_size=1, max_size=20))
@@ -70,23 +70,21 @@ def test_matching(sets: list[list[tuple]]) -> None:
     assert [numbers[i] == numbers[j] for i in range(len(sets)) for j in range(i)] == [
         sorted(sets[i]) == sorted(sets[j]) for i in range(len(sets)) for j in range(i)
     ]
-    lefts = [i for i in range(len(sets)) for _ in sets]
-    rights = [j for _ in sets for j in range(len(sets))]
-    found = between(numbered, [numbers[i] for i in lefts], [numbers[j] for j in rights])
-    assert found == [matched(sets[i], sets[j]) for i, j in zip(lefts, rights, strict=True)]
+    assert between(numbered, numbers, numbers) == [[matched(left, right) for right in sets] for left in sets]
+    assert between(numbered, numbers[:1], []) == [[]] and between(numbered, [], numbers) == []
 
 
-@pytest.mark.parametrize("name, value", [("_SUBSETS", 0), ("_TABLE", 3), ("_BATCH", 2)])
+@pytest.mark.parametrize("name, value", [("_SUBSETS", 0), ("_TABLE", 3), ("_BATCH", 2), ("_SINGLES", 0)])
 def test_other_ways_to_match(monkeypatch: pytest.MonkeyPatch, name: str, value: int) -> None:
     """By assignment, without a table and in small batches, all comes out the same."""
     rng = Random(0)
     sets = [[tuple(rng.choices(range(1, 5), k=rng.randrange(4))) for _ in range(rng.randrange(9))] for _ in range(40)]
 
-    def all_distances() -> list[int]:
+    def all_distances() -> list[list[int]]:
         numbered = PartSets()
         numbers = [numbered.number(each) for each in sets]
         first = between(numbered, numbers[:3], numbers[:3])  # a table that is filled in two goes
-        return first + between(numbered, [i for i in numbers for _ in numbers], [j for _ in numbers for j in numbers])
+        return first + between(numbered, numbers, numbers)
 
     usual = all_distances()
     monkeypatch.setattr(matching, name, value)
@@ -254,20 +252,6 @@ def test_what_is_interchangeable_hangs_on_the_state_alone(tmp_path: Path, plain_
         found.append(measure.rows(numbers, numbers).tolist())
     both = list(zip(states, actions, strict=True))
     assert found == 2 * [[[plain(plain_bias, left, right) for right in both] for left in both]]
-
-
-def test_memory(measured: tuple, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What is remembered, forgotten, or too far or too much to be remembered, is what is computed."""
-    measure, _, _, numbers = measured
-    rng = np.random.default_rng(0)
-    whole = measure.rows(numbers, numbers)
-    for room, far in (((2**15, 2**12), 3), ((40, 30), 255), ((40, 30), 3), ((2, 2), 255)):
-        monkeypatch.setattr(distance, "_REMEMBERED", room)
-        monkeypatch.setattr(distance, "_FAR", far)
-        measure._forget()
-        for _ in range(50):
-            rows, columns = (rng.integers(len(numbers), size=size) for size in rng.integers(1, 20, size=2))
-            assert (measure.rows(numbers[rows], numbers[columns]) == whole[np.ix_(rows, columns)]).all()
 
 
 SCRIPT = """

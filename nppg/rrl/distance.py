@@ -26,9 +26,6 @@ from nppg.rrl.matching import PartSets, grown
 from nppg.worlds.domain import Domain
 from nppg.worlds.world import Action, State
 
-_REMEMBERED = (2**14, 2**14)  # sets of parts of `pairs` and of `others` whose distances are remembered: 256 MB at most
-_FAR = 255  # so far and farther is not remembered
-
 
 class PairDistance:
     """Numbers classes of state-action pairs that look alike, and gives the distances between them.
@@ -50,7 +47,6 @@ class PairDistance:
         self._set_of = np.zeros(0, np.int64)  # of each class: its set of parts, and the labels of its roles
         self._labels = np.zeros((0, 0), np.int64)
         self._examples: list[tuple[State, Action]] = []
-        self._forget()
 
     def __len__(self) -> int:
         """How many classes have been met."""
@@ -72,22 +68,40 @@ class PairDistance:
             goal = self.domain.binding(state, self.goal.name, arity)
             if not self.domain.has_parts:
                 parts = tuple(part for part in parts if (part[0], len(part) - 1) != (self.goal.name, arity))
-        return np.array([self._class(state, action, goal, parts) for action in plain(actions)], np.int64)
-
-    def _class(
-        self, state: State, action: Action, goal: tuple[Ground, ...], parts: tuple[tuple[Ground, ...], ...]
-    ) -> int:
-        name, *args = action if isinstance(action, tuple) else (action,)
-        kind = self._number((None, name, len(args)))
-        labels = [kind]
         names: dict[Ground, int] = {}
-        for owner, values in ((None, goal), (kind, args)):
-            for i, each in enumerate(values):
-                if each not in names and self._is_object(each):
-                    names[each] = self._number((None, owner, i, None))
-                labels.append(self._symbol(each, names))
-        number = self._sets.number(tuple([self._symbol(each, names) for each in part]) for part in parts)
-        key = (number, *labels)
+        self._name(None, goal, names)
+        labels = tuple([self._symbol(each, names) for each in goal])
+        symbols = [tuple([self._symbol(each, names) for each in part]) for part in parts]
+        inside: dict[Ground, list[int]] = {}  # the parts that a term is in
+        for i, part in enumerate(parts):
+            for each in _terms(part):
+                inside.setdefault(each, []).append(i)
+        numbers = []
+        for action in plain(actions):
+            kind, args = self._kind(action)
+            own = names.copy()
+            self._name(kind, args, own)
+            renamed = symbols.copy()
+            for i in {i for each in own.keys() - names.keys() for i in inside.get(each, ())}:
+                renamed[i] = tuple([self._symbol(each, own) for each in parts[i]])
+            key = (self._sets.number(renamed), kind, *labels, *[self._symbol(each, own) for each in args])
+            numbers.append(self._class(key, state, action))
+        return np.array(numbers, np.int64)
+
+    def _kind(self, action: Action) -> tuple[int, tuple[Ground, ...]]:
+        """The number of a kind of actions, and the action's arguments."""
+        name, *args = action if isinstance(action, tuple) else (action,)
+        return self._number((None, name, len(args))), tuple(args)
+
+    def _name(self, owner: int | None, values: tuple[Ground, ...], names: dict[Ground, int]) -> None:
+        """Gives those objects names that play roles for the first time."""
+        for i, each in enumerate(values):
+            if each not in names and self._is_object(each):
+                names[each] = self._number((None, owner, i, None))
+
+    def _class(self, key: tuple[int, ...], state: State, action: Action) -> int:
+        """The number of the class that has this set of parts and these labels."""
+        number, *labels = key
         found = self._classes.setdefault(key, len(self._classes))
         if found == len(self._examples):
             self._examples.append((state, action))
@@ -118,41 +132,13 @@ class PairDistance:
 
     def rows(self, pairs: np.ndarray, others: np.ndarray) -> np.ndarray:
         """The distances of classes, by their numbers, from others; float64, shape (pairs, others)."""
-        distances = self._between(self._set_of[pairs], self._set_of[others]).astype(float)
+        sets, row = np.unique(self._set_of[pairs], return_inverse=True)  # actions that leave a state's parts alike
+        distances = self._sets.distances(sets, self._set_of[others])[row].astype(float)
         for role in range(self._labels.shape[1]):
             distances += self.mismatch * (self._labels[pairs, role, None] != self._labels[others, role])
         return distances
 
-    def _between(self, lefts: np.ndarray, rights: np.ndarray) -> np.ndarray:
-        """The distances of sets of parts, from memory as far as it goes. What it has not room for makes it begin
-        anew."""
-        rows, columns = self._slots(0, lefts), self._slots(1, rights)
-        if rows is None or columns is None:
-            self._forget()
-            rows, columns = self._slots(0, lefts), self._slots(1, rights)
-        if rows is None or columns is None:
-            every = np.broadcast_arrays(lefts[:, None], rights)
-            return self._sets.distances(every[0].ravel(), every[1].ravel()).reshape(every[0].shape)
-        found = self._memory[rows[:, None], columns].astype(np.int64)
-        missing = np.nonzero(found == 0)
-        if len(missing[0]):
-            new = self._sets.distances(lefts[missing[0]], rights[missing[1]]) + 1
-            found[missing] = new
-            self._memory[rows[missing[0]], columns[missing[1]]] = np.where(new <= _FAR, new, 0)
-        return found - 1
 
-    def _forget(self) -> None:
-        self._memory = np.zeros(_REMEMBERED, np.uint8)  # distance + 1, or 0; zeros take no room before they are used
-        self._places = [np.zeros(0, np.int32), np.zeros(0, np.int32)]  # of each set in each dimension, + 1, or 0
-        self._used = [0, 0]
-
-    def _slots(self, axis: int, sets: np.ndarray) -> np.ndarray | None:
-        """Where sets have their place in memory, None if there is not room for all."""
-        self._places[axis] = places = grown(self._places[axis], len(self._sets))
-        if not places[sets].all():
-            new = np.unique(sets[places[sets] == 0])
-            if self._used[axis] + len(new) > _REMEMBERED[axis]:
-                return None
-            places[new] = np.arange(len(new)) + self._used[axis] + 1
-            self._used[axis] += len(new)
-        return places[sets] - 1
+def _terms(term: Ground) -> set[Ground]:
+    """A term, and what stands in it."""
+    return {term}.union(*map(_terms, term)) if isinstance(term, tuple) else {term}

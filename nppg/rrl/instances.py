@@ -17,10 +17,12 @@ from typing import Protocol
 import numpy as np
 
 from nppg.rrl.options import InstanceOptions
+from nppg.rrl.removal import Contributions, error_contributions, variance_excess
 
 _NEWS = 1e-6  # an error up to this share of the largest value met is never worth an instance
 _FLAT = 4.0  # up to this power weights are kept in single precision; others differ too widely for its exponents
-_ROWS = 64  # of a square matrix that are worked on together, so that they stay in the processor's cache
+_REMEMBERED = 2**28  # bytes for distances of classes from the instances, at most
+_TOGETHER = 2**20  # distances that are computed together
 
 
 class Distance(Protocol):
@@ -43,6 +45,10 @@ class Instances:
         self._values = np.zeros(room)
         # 1 / d_ij^power between instances, 0 on the diagonal; only for the choice of what to remove: precise enough
         self._weights = np.zeros((room, room), np.float32 if options.power <= _FLAT else np.float64)
+        self._contributions = Contributions(self._weights, self._values)
+        self._changed = np.zeros(room, np.int64)  # when each place took its instance, in changes
+        self._changes = 0
+        self._forget(np.float32)
 
     def __len__(self) -> int:
         return self._size
@@ -59,7 +65,40 @@ class Instances:
 
     def predict(self, pairs: np.ndarray) -> np.ndarray:
         """q of each class, shape (pairs,)."""
-        return self._predicted(self.distance.rows(pairs, self._pairs[: self._size]))
+        return self._predicted(self._distances(pairs))
+
+    def _distances(self, pairs: np.ndarray) -> np.ndarray:
+        """Of classes from the instances, shape (pairs, instances). They are remembered: only the distances from
+        instances that have come since a class was met last are computed."""
+        unknown = {each for each in pairs.tolist() if each not in self._row_of}
+        if len(self._row_of) + len(unknown) > len(self._rows):
+            self._forget(self._rows.dtype)
+            if len(set(pairs.tolist())) > len(self._rows):
+                return self.distance.rows(pairs, self._pairs[: self._size])
+        rows = np.array([self._row_of.setdefault(each, len(self._row_of)) for each in pairs.tolist()], np.int64)
+        looked = self._looked[rows]
+        for when in np.unique(looked[looked < self._changes]).tolist():
+            new = np.flatnonzero(self._changed[: self._size] > when)
+            some = np.flatnonzero(looked == when)
+            step = 1 + _TOGETHER // max(1, len(new))
+            for start in range(0, len(some), step):
+                batch = some[start : start + step]
+                found = self.distance.rows(pairs[batch], self._pairs[new])
+                kept = found.astype(self._rows.dtype)
+                if (kept != found).any():
+                    self._forget(np.float64)
+                    return self._distances(pairs)
+                self._rows[rows[batch, None], new] = kept
+        self._looked[rows] = self._changes
+        return self._rows[rows, : self._size].astype(float)
+
+    def _forget(self, precision: type | np.dtype) -> None:
+        """Begins anew to remember; in single precision as long as distances are as good there."""
+        room = len(self._pairs)
+        size = _REMEMBERED // np.dtype(precision).itemsize // room
+        self._rows = np.zeros((size, room), precision)  # zeros take no room before they are used
+        self._looked = np.zeros(size, np.int64)  # how many changes each row has seen
+        self._row_of: dict[int, int] = {}  # of each class that is remembered
 
     def _predicted(self, distances: np.ndarray) -> np.ndarray:
         if self._size == 0:
@@ -74,9 +113,11 @@ class Instances:
     def update(self, pair: int, value: float) -> None:
         """Learns from one example. The value of a class that is stored becomes that of the example."""
         self.unit = max(self.unit, abs(value))
-        distances = self.distance.rows(np.array([pair]), self._pairs[: self._size])
+        distances = self._distances(np.array([pair]))
         same = np.flatnonzero(distances[0] == 0)
         if len(same):
+            for place in same.tolist():
+                self._contributions.revalue(place, value, self._size)
             self._values[same] = value
         elif self._is_news(abs(value - self._predicted(distances)[0]), distances[0]):
             self._append(pair, value, distances[0])
@@ -88,7 +129,7 @@ class Instances:
         if self._size == self.options.max_instances:
             raise ValueError(f"there is room for {self.options.max_instances} instances only")
         self.unit = max(self.unit, abs(value))
-        self._append(pair, value, self.distance.rows(np.array([pair]), self._pairs[: self._size])[0])
+        self._append(pair, value, self._distances(np.array([pair]))[0])
 
     def _is_news(self, error: float, distances: np.ndarray) -> bool:
         """Whether an example is so badly predicted that it should be stored: its error is more than `global_deviation`
@@ -104,14 +145,23 @@ class Instances:
         last = self._size
         self._pairs[last], self._values[last] = pair, value
         self._weights[last, :last] = self._weights[:last, last] = distances**-self.options.power
+        self._contributions.add(last)
+        self._take(last)
         self._size += 1
+
+    def _take(self, place: int) -> None:
+        """Notes that there is another instance in a place."""
+        self._changes += 1
+        self._changed[place] = self._changes
 
     def _remove(self, gone: int) -> None:
         """The last instance takes the place of the one that goes."""
+        self._contributions.remove(gone, self._size)
         self._size = last = self._size - 1
         for array in (self._pairs, self._values, self._weights, self._weights.T):
             array[gone] = array[last]
         self._weights[gone, gone] = 0
+        self._take(gone)
 
     # -------------------------------------------------- which instance to remove
 
@@ -120,65 +170,16 @@ class Instances:
             excess = self.variance_excess()
             if excess.max() > 0:
                 return int(excess.argmax())
-        return int(self.error_contributions().argmin())
+        return self._contributions.least(self._size)
 
     def error_contributions(self) -> np.ndarray:
-        """What removing an instance costs, shape (instances,): the error of its own prediction from the others, and by
-        how much such errors of the others grow in all. There must be three instances or more.
-
-        Without its own error an instance that differs from its neighbours would always be the first to go, and as only
-        what differs comes in, memory would keep what it held when it was first full.
-
-        With T_i = sum_j w_ij and S_i = sum_j w_ij q_j, the error of i without k is
-
-            |q_i - (S_i - w_ik q_k) / (T_i - w_ik)| = |q_i T_i - S_i - w_ik (q_i - q_k)| / (T_i - w_ik).
-
-        Where w_ik is more than half of T_i, that is the difference of two numbers that may be as good as equal: both
-        sums are then made anew without k, the one nearest to i.
-        """
-        n = self._size
-        weights = self._weights[:n, :n]
-        values = self._values[:n].astype(weights.dtype)
-        totals = weights.sum(axis=1)
-        offsets = values * totals - weights @ values
-        nearest = weights.argmax(axis=1)
-        ruled = np.flatnonzero(weights[np.arange(n), nearest] > totals / 2)
-        others = weights[ruled]
-        others[np.arange(len(ruled)), nearest[ruled]] = 0
-        rests = others.sum(axis=1)
-        without = np.abs(values[ruled] * rests - others @ values) / rests
-        summed = np.zeros(n)
-        for start in range(0, n, _ROWS):
-            some = slice(start, start + _ROWS)
-            errors = values[some, None] - values
-            errors *= weights[some]
-            np.subtract(offsets[some, None], errors, out=errors)
-            np.abs(errors, out=errors)
-            rest = totals[some, None] - weights[some]
-            own = slice(*np.searchsorted(ruled, (start, start + _ROWS)))
-            rest[ruled[own] - start, nearest[ruled[own]]] = 1
-            errors /= rest
-            errors[ruled[own] - start, nearest[ruled[own]]] = without[own]
-            summed += errors.sum(axis=0)
-        alone = np.abs(offsets) / totals
-        return summed - alone.sum() + alone  # in both sums the instance's own error is there and the same
+        """What removing an instance costs, shape (instances,); see removal.py."""
+        return error_contributions(self._weights[: self._size, : self._size], self._values[: self._size])
 
     def variance_excess(self) -> np.ndarray:
-        """By how much an instance's slopes |q_i - q_j| / d_ij exceed `max_gradient` in all, shape (instances,). An M
-        that is too small for the values keeps what is new out of a full memory."""
-        n = self._size
-        weights = self._weights[:n, :n] ** (1 / self.options.power)
-        values = self._values[:n].astype(weights.dtype)
-        excess = np.zeros(n)
-        for start in range(0, n, _ROWS):
-            some = slice(start, start + _ROWS)
-            slopes = values[some, None] - values
-            np.abs(slopes, out=slopes)
-            slopes *= weights[some]
-            slopes -= self.options.max_gradient
-            np.maximum(slopes, 0, out=slopes)
-            excess[some] = slopes.sum(axis=1)
-        return excess
+        """By how much an instance's slopes |q_i - q_j| / d_ij exceed `max_gradient` in all, shape (instances,)."""
+        inverse = self._weights[: self._size, : self._size] ** (1 / self.options.power)
+        return variance_excess(inverse, self._values[: self._size], self.options.max_gradient)
 
 
 def _deviation(values: np.ndarray) -> float:

@@ -7,7 +7,8 @@ one that is left over costs d to the empty part, which is its length. The sum ov
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from itertools import accumulate
 
 import numpy as np
 
@@ -16,7 +17,8 @@ from nppg.errors import NppgError
 Part = tuple[int, ...]
 
 _TABLE = 4096  # numbers of parts whose distances are tabulated
-_BATCH = 4096  # pairs of sets that are looked at together
+_BATCH = 16384  # pairs of sets that are looked at together
+_SINGLES = 6  # so many pairs of sets are looked at one by one
 _SUBSETS = 6  # a matching with no more than so many parts on one side is found by going through their subsets
 
 
@@ -41,6 +43,8 @@ class PartSets:
         self._tabulated = 1
         self._sets: dict[Part, int] = {}
         self._members = np.zeros((0, 0), np.int32)
+        self._sizes = np.zeros(0, np.int32)  # of each set: how many parts it has, and how long they are in all
+        self._total = np.zeros(0, np.int32)
 
     def __len__(self) -> int:
         return len(self._sets)
@@ -55,9 +59,11 @@ class PartSets:
             members.append(self._new_part(part, copy) if member is None else member)
         key = tuple(sorted(members))
         number = self._sets.setdefault(key, len(self._sets))
-        if number == len(self._members) or len(key) > self._members.shape[1]:
+        if number == len(self._sets) - 1:
             self._members = grown(self._members, number + 1, len(key))
-        self._members[number, : len(key)] = key
+            self._members[number, : len(key)] = key
+            self._sizes, self._total = grown(self._sizes, number + 1), grown(self._total, number + 1)
+            self._sizes[number], self._total[number] = len(key), self._lengths[members].sum()
         return number
 
     def _new_part(self, part: Part, copy: int) -> int:
@@ -70,17 +76,56 @@ class PartSets:
         return number
 
     def distances(self, lefts: np.ndarray, rights: np.ndarray) -> np.ndarray:
-        """The distance of each pair of set numbers; both arrays and the result have the same shape (pairs,)."""
+        """The distances of sets, by their numbers, from others, shape (lefts, rights)."""
         self._tabulate()
-        found = np.empty(len(lefts), np.int64)
-        for start in range(0, len(lefts), _BATCH):
-            batch = slice(start, start + _BATCH)
-            left, right = self._members[lefts[batch]].T.copy(), self._members[rights[batch]].T.copy()
-            found[batch] = self._batch(left, right)
+        if len(lefts) * len(rights) <= _SINGLES:
+            return np.array([[self._single(left, right) for right in rights] for left in lefts]).reshape(
+                len(lefts), len(rights)
+            )
+        found = np.zeros((len(lefts), len(rights)), np.int64)
+        order = np.argsort(-self._sizes[rights], kind="stable")
+        rights, sizes = rights[order], self._sizes[lefts]
+        step = 1 + _BATCH // max(1, len(rights))
+        for size in np.flatnonzero(np.bincount(sizes)).tolist():
+            some = np.flatnonzero(sizes == size)
+            for start in range(0, len(some), step):
+                batch = some[start : start + step]
+                compared = self._few if size <= _SUBSETS else self._many
+                found[batch[:, None], order] = compared(lefts[batch], rights)
         return found
 
+    def _single(self, left: int, right: int) -> int:
+        sets = [self._members[each, : self._sizes[each]] for each in (left, right)]
+        gains = self._gain(sets[0][:, None], sets[1])
+        return self._total[left] + self._total[right] + gains[self._assignment(gains)].sum()
+
+    def _few(self, lefts: np.ndarray, rights: np.ndarray) -> np.ndarray:
+        """As `distances`, of sets that have equally few parts, from others that come by size, the largest first. What
+        many of them share is looked up once."""
+        total = self._total[lefts, None] + self._total[rights]
+        parts, columns = np.unique(self._members[lefts, : self._sizes[lefts[0]]].T, return_inverse=True)
+        columns = columns.reshape(-1, len(lefts))  # of NumPy 2.0 and others
+        sizes = self._sizes[rights]
+        ends = np.searchsorted(-sizes, -np.arange(sizes[0])).tolist()
+        rows = [self._members[rights[:end], i] for i, end in enumerate(ends)]
+        gains = self._gains_of(parts, np.concatenate([np.zeros(0, int), *rows]))
+        if total.max() < 128:  # no sum of gains is below -total
+            gains = gains.astype(np.int8)
+        starts = accumulate(ends, initial=0)
+        stretches = [gains[:, start : start + end][columns] for start, end in zip(starts, ends, strict=False)]
+        return total + _best(stretches, (*columns.shape, len(rights)))
+
+    def _many(self, lefts: np.ndarray, rights: np.ndarray) -> np.ndarray:
+        """As `distances`, of sets of any size."""
+        every = [each.ravel() for each in np.broadcast_arrays(lefts[:, None], rights)]
+        found = np.empty(len(every[0]), np.int64)
+        for start in range(0, len(found), _BATCH):
+            left, right = (self._members[each[start : start + _BATCH]].T.copy() for each in every)
+            found[start : start + _BATCH] = self._batch(left, right)
+        return found.reshape(len(lefts), len(rights))
+
     def _batch(self, left: np.ndarray, right: np.ndarray) -> np.ndarray:
-        """As `distances`, of sets as columns of part numbers.
+        """The distances of pairs of sets, as columns of part numbers, shape (pairs,).
 
         Parts that both sets have are matched with each other: if a cheapest matching pairs such a part p with r and
         with q instead, d(p, p) + d(q, r) <= d(q, p) + d(p, r), the triangle inequality, so re-pairing costs nothing.
@@ -100,7 +145,8 @@ class PartSets:
                 some = np.flatnonzero(few == size)
                 rows, columns = left[: many[some].max(), some], right[:size, some]
                 gains = self._gain(rows[:, None, :], columns[None, :, :])
-                total[some] += _best(gains) if size <= _SUBSETS else self._assigned(gains)
+                few_enough = size <= _SUBSETS
+                total[some] += _best(gains, gains.shape[1:]) if few_enough else self._assigned(gains)
         return total
 
     def _assigned(self, gains: np.ndarray) -> np.ndarray:
@@ -113,6 +159,13 @@ class PartSets:
             return self._gains[left, right]
         left, right = np.broadcast_arrays(left, right)
         return self._computed(left.ravel(), right.ravel()).reshape(left.shape)
+
+    def _gains_of(self, left: np.ndarray, right: np.ndarray) -> np.ndarray:
+        """As `_gain`, of each of some parts with each of others that may come many times; shape (left, right)."""
+        if len(self._parts) <= _TABLE:
+            return self._gains[left, : len(self._parts)].take(right, axis=1)
+        others, where = np.unique(right, return_inverse=True)
+        return self._gain(left[:, None], others)[:, where]
 
     def _computed(self, left: np.ndarray, right: np.ndarray) -> np.ndarray:
         lengths = self._lengths[left], self._lengths[right]
@@ -157,18 +210,17 @@ def edit_distances(
     return found
 
 
-def _best(gains: np.ndarray) -> np.ndarray:
-    """The least sum of gains, none above 0, over the matchings of rows with columns; shape (pairs,) for gains of shape
-    (rows, columns, pairs). Goes through the rows; `best` has an entry for each set of columns that may be used."""
-    columns, pairs = gains.shape[1:]
-    if columns == 1:
-        return gains[:, 0].min(axis=0)
-    best = np.zeros((1 << columns, pairs), gains.dtype)
+def _best(gains: Sequence[np.ndarray] | np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
+    """The least sum of gains, none above 0, over the matchings of rows with columns, for many pairs at once. `shape` is
+    (columns, ..., pairs), and so is that of each row's gains, but they may be about the first few of the pairs only, no
+    more than the row before. Goes through the rows; `best` has an entry for each set of columns that may be used."""
+    columns, *rest, pairs = shape
+    best = np.zeros((1 << columns, *rest, pairs), gains[0].dtype if len(gains) else np.int16)
     for row in gains:
-        following = best.copy()
+        some = row.shape[-1]
+        before = best[..., :some].copy()
         for column, gain in enumerate(row):
-            shape = (-1, 2, 1 << column, pairs)
-            used = following.reshape(shape)[:, 1]
-            np.minimum(used, best.reshape(shape)[:, 0] + gain, out=used)
-        best = following
+            split = (-1, 2, 1 << column, *rest)
+            used = best.reshape(*split, pairs)[:, 1, ..., :some]
+            np.minimum(used, before.reshape(*split, some)[:, 0] + gain, out=used)
     return best[-1]
