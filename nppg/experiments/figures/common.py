@@ -6,13 +6,6 @@ from collections.abc import Callable, Iterable, Sequence
 from statistics import mean, pstdev
 from typing import Any
 
-from nppg.experiments.reproduce import Job
-
-
-def at(job: Job, episode: float) -> int:
-    """The test that a point of the curve belongs to: policy gradients are tested with the next tree behind it."""
-    return int(episode) // job.experiment.every * job.experiment.every
-
 
 def grouped(rows: Iterable[Any], key: Callable) -> dict[Any, list]:
     found: dict[Any, list] = {}

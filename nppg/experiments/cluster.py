@@ -1,0 +1,89 @@
+"""The workers of a dask.distributed cluster, for nppg.experiments.many."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from concurrent.futures import CancelledError, Future
+from importlib.metadata import version
+from typing import Any
+
+from nppg.errors import NppgError
+from nppg.experiments.many import Lost, Worker, called
+
+_TIMEOUT = 10  # seconds until the scheduler has answered and has a worker
+
+
+class Cluster:
+    """The cluster of the scheduler at this address, tcp://HOST:PORT. It repeats the calls of killed workers by itself.
+    What calls give must be plain, for it is unpickled in another thread."""
+
+    shares_files = False
+
+    def __init__(self, address: str):
+        self._address = address
+
+    def open(self, count: int) -> Sequence[Worker]:
+        try:
+            from distributed import Client
+        except ModuleNotFoundError as error:
+            if error.name != "distributed":
+                raise
+            raise NppgError("a cluster needs dask.distributed: pip install 'nppg[cluster]'") from None
+        try:
+            client = Client(self._address, timeout=_TIMEOUT, set_as_default=False)
+        except (OSError, ValueError, AssertionError):
+            raise NppgError(f"{self._address}: no scheduler of dask.distributed answers there") from None
+        try:
+            self._check(client)
+        except BaseException:
+            client.close()
+            raise
+        return [_Place(client, self._address)] * count
+
+    def _check(self, client: Any) -> None:
+        """Raises NppgError where the cluster cannot do calls as this machine would."""
+        try:
+            client.wait_for_workers(1, timeout=_TIMEOUT)
+        except TimeoutError:
+            raise NppgError(f"{self._address}: the scheduler has no workers") from None
+        for worker, threads in client.nthreads().items():
+            if threads > 1:
+                message = f"it works in {threads} threads, but Prolog in one of them alone"
+                raise NppgError(f"{worker}: {message}: start it by dask worker --nthreads 1, with --nworkers for more")
+        known = client.get_versions(packages=["nppg"])
+        for name, found in {"the scheduler": known["scheduler"], **known["workers"]}.items():
+            if (there := _version(found)) != version("nppg"):
+                raise NppgError(f"{name}: nppg is {there or 'missing'} there, and {version('nppg')} here")
+
+
+def _version(found: Mapping[str, Any]) -> str | None:
+    return found["packages"].get("nppg")
+
+
+class _Place:
+    """One that does all calls that it is given, on as many workers as there are."""
+
+    def __init__(self, client: Any, address: str):
+        self._client = client
+        self._executor = client.get_executor(pure=False)
+        self._address = address
+
+    def submit(self, call: bytes) -> Future[tuple[Any, list[str]]]:
+        return self._executor.submit(called, call)
+
+    def result(self, future: Future[tuple[Any, list[str]]]) -> tuple[Any, list[str]]:
+        from distributed import KilledWorker
+
+        try:
+            return future.result()
+        except KilledWorker:
+            raise Lost(repeatable=False) from None
+        except CancelledError:
+            raise NppgError(f"{self._address}: the scheduler has gone") from None
+
+    def interrupt(self) -> None:
+        """Calls that workers are at end by themselves, and nobody waits for what they give."""
+        self._executor.shutdown(wait=False)
+
+    def close(self) -> None:
+        self._client.close()
