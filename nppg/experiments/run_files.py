@@ -18,6 +18,7 @@ from nppg.bridge.files import replacing, sha256
 from nppg.bridge.interrupts import undisturbed
 from nppg.bridge.prolog import ask
 from nppg.errors import NppgError, Problem
+from nppg.experiments import drawing
 from nppg.experiments.progress import Judging, Point, Progress, sizes, title
 from nppg.learning.options import Common
 from nppg.policy.copies import conflicts, recorded_hashes, write_copies
@@ -127,13 +128,9 @@ def _write_curve(path: Path, curve: list[Point]) -> None:
 
 def _draw(progress: Progress, path: Path) -> bool:
     """Whether matplotlib is there to draw the curve."""
-    try:
-        import matplotlib
-    except ImportError:
+    pyplot = drawing.pyplot()
+    if pyplot is None:
         return False
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     figure, axes = pyplot.subplots(figsize=(9, 4), layout="constrained")
     episodes = [point.episode for point in progress.curve]
     exact = "exact" if progress.curve[-1].exact else "sampled"
