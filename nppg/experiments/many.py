@@ -181,6 +181,7 @@ def _called_interruptibly(call: bytes) -> tuple[Any, list[str]]:
     with interruptible():
         signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
         try:
+            heed_interrupt()
             return called(call)
         finally:
             signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
