@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Mapping, Sequence
 from concurrent.futures import CancelledError, Future
 from importlib.metadata import version
@@ -29,6 +30,7 @@ class Cluster:
             if error.name != "distributed":
                 raise
             raise NppgError("a cluster needs dask.distributed: pip install 'nppg[cluster]'") from None
+        logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # what it has to tell is raised here
         try:
             client = Client(self._address, timeout=_TIMEOUT, set_as_default=False)
         except (OSError, ValueError, AssertionError):
@@ -54,6 +56,19 @@ class Cluster:
         for name, found in {"the scheduler": known["scheduler"], **known["workers"]}.items():
             if (there := _version(found)) != version("nppg"):
                 raise NppgError(f"{name}: nppg is {there or 'missing'} there, and {version('nppg')} here")
+
+
+class Abandoned(Exception):
+    """Nobody waits any more for what a call gives."""
+
+
+def heed_abandoned() -> None:
+    """To be called by a call, now and then. Raises Abandoned."""
+    from distributed import get_worker
+
+    worker = get_worker()
+    if worker.state.tasks[worker.get_current_task()].state != "executing":
+        raise Abandoned
 
 
 def _version(found: Mapping[str, Any]) -> str | None:
@@ -82,7 +97,7 @@ class _Place:
             raise NppgError(f"{self._address}: the scheduler has gone") from None
 
     def interrupt(self) -> None:
-        """Calls that workers are at end by themselves, and nobody waits for what they give."""
+        """Workers are not interrupted: their calls heed that they are abandoned, or end as they would have."""
         self._executor.shutdown(wait=False)
 
     def close(self) -> None:

@@ -17,6 +17,7 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.files import replacing
 from nppg.bridge.interrupts import undisturbed
 from nppg.errors import NppgError
+from nppg.experiments.cluster import heed_abandoned
 from nppg.experiments.many import Pool, each
 from nppg.experiments.progress import MEASURES, Judging, Progress, measured
 from nppg.experiments.run_files import is_finished, settings
@@ -59,13 +60,19 @@ class Job:
         """Whether its files are there and come from the same settings, domain and bias."""
         return is_finished(self.folder, settings(*_opened(self.world), self.options, self.judging))
 
-    def learn(self, folder: Path) -> None:
-        """Does it, and writes its files into this folder. An environment is made for it alone."""
+    def learn(self, folder: Path, heed: Callable[[], None] = lambda: None) -> None:
+        """Does it, and writes its files into this folder. An environment is made for it alone. `heed` is called again
+        and again, and may raise something that is to end the run."""
         domain, bias = _opened(self.world)
         if domain.environment:
             domain, bias = pickle.loads(self.world)
         report, space = self.observer(domain, folder)
-        run(domain, bias, self.options, folder, **self.judging, report=report, space=space)
+
+        def heeding(progress: Progress) -> None:
+            heed()
+            report(progress)
+
+        run(domain, bias, self.options, folder, **self.judging, report=heeding, space=space)
 
     def observer(self, domain: Domain, folder: Path) -> tuple[Callable[[Progress], None], Space | None]:
         """What the run reports to, and the domain's space, where that has it."""
@@ -143,7 +150,7 @@ def _learned_elsewhere(sent: _Sent) -> tuple[dict[str, bytes], float]:
             (folder / name).write_bytes(data)
         begin = time.perf_counter()
         try:
-            sent.job.learn(folder)
+            sent.job.learn(folder, heed_abandoned)
         except NppgError as error:
             raise NppgError(str(error).replace(str(folder), str(sent.job.folder))) from None
         return _contents(folder), time.perf_counter() - begin
