@@ -9,8 +9,10 @@ import warnings
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from nppg import Domain
 from nppg.bridge.interrupts import interruptible
 from nppg.errors import NppgError
 from nppg.experiments.many import Processes, each, in_order
@@ -63,6 +65,10 @@ def warned(number: int) -> None:
     warnings.warn("mind the gap", stacklevel=1)
 
 
+def opened(name: str) -> Domain:
+    return Domain(name)
+
+
 def done(call: tuple[Callable, object]) -> object:
     function, item = call
     return function(item)
@@ -72,6 +78,8 @@ def test_every_call_is_done_and_given_back_with_its_item() -> None:
     assert sorted(each(square, range(5), Processes(2))) == [(n, n * n) for n in range(5)]
     assert list(in_order(late_squares, range(4), Processes(2))) == [0, 1, 4, 9]
     assert list(each(square, [], Processes(2))) == []
+    (domain,) = in_order(opened, ["corridor"], Processes(1))
+    assert domain.start(np.random.default_rng(0)), "it is unpickled in a thread that can ask Prolog"
 
 
 def test_a_killed_process_costs_its_call_a_repetition(tmp_path: Path) -> None:

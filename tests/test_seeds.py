@@ -19,6 +19,7 @@ import pytest
 
 from nppg.cli.main import main
 
+COMMAND = [sys.executable, "-m", "nppg", "train"]
 LIBRARY = Path(__file__).parent.parent / "examples" / "library"
 SMALL = ["blocks_world", "--set", "blocks=3", "--episodes", "40", "--evaluate-every", "20"]
 SETTINGS = {
@@ -150,7 +151,7 @@ def test_a_mistake_of_one_run_leaves_those_that_are_finished(
 
 
 def test_an_interrupt_ends_all_runs_which_keep_what_they_have_learned(tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "nppg", "train", "blocks_world", "--set", "blocks=4", "--episodes", "100000"]
+    command = [*COMMAND, "blocks_world", "--set", "blocks=4", "--episodes", "100000"]
     command += ["--evaluate-every", "0", "--seeds", "0-3", "--jobs", "2", "--output", str(tmp_path)]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
         while len(list(tmp_path.iterdir())) < 2:
@@ -216,6 +217,24 @@ def test_a_killed_worker_costs_its_run_a_repetition(
     assert train(tmp_path / "here", *arguments, "--quiet") == 0
     for seed in range(2):
         assert contents(tmp_path / "there" / f"seed-{seed}") == contents(tmp_path / "here" / f"seed-{seed}")
+
+
+def test_a_run_that_nobody_waits_for_ends_on_its_worker(cluster: Any, tmp_path: Path) -> None:
+    from distributed import Client
+
+    arguments = ["blocks_world", "--set", "blocks=4", "--episodes", "100000", "--seeds", "0-2", "--evaluate-every", "0"]
+    arguments += ["--cluster", cluster.scheduler_address, "--output", str(tmp_path)]
+    with Client(cluster.scheduler_address, set_as_default=False) as client:
+        with subprocess.Popen([*COMMAND, *arguments], stderr=subprocess.PIPE, text=True) as process:
+            while not any(client.processing().values()):
+                time.sleep(0.1)
+            time.sleep(1)
+            process.send_signal(signal.SIGINT)
+            assert (process.communicate(timeout=60)[1], process.returncode) == ("interrupted\n", 130)
+        deadline = time.monotonic() + 60
+        while any(client.run(lambda dask_worker: dask_worker.state.executing_count).values()):
+            assert time.monotonic() < deadline
+            time.sleep(0.1)
 
 
 def test_a_mistake_on_a_cluster_is_told_as_here(

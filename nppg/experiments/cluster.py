@@ -9,14 +9,13 @@ from importlib.metadata import version
 from typing import Any
 
 from nppg.errors import NppgError
-from nppg.experiments.many import Lost, Worker, called
+from nppg.experiments.many import Answer, Lost, Worker, called
 
 _TIMEOUT = 10  # seconds until the scheduler has answered and has a worker
 
 
 class Cluster:
-    """The cluster of the scheduler at this address, tcp://HOST:PORT. It repeats the calls of killed workers by itself.
-    What calls give must be plain, for it is unpickled in another thread."""
+    """That of the scheduler at this address, tcp://HOST:PORT. It repeats the calls of killed workers by itself."""
 
     shares_files = False
 
@@ -83,10 +82,10 @@ class _Place:
         self._executor = client.get_executor(pure=False)
         self._address = address
 
-    def submit(self, call: bytes) -> Future[tuple[Any, list[str]]]:
+    def submit(self, call: bytes) -> Future[Answer]:
         return self._executor.submit(called, call)
 
-    def result(self, future: Future[tuple[Any, list[str]]]) -> tuple[Any, list[str]]:
+    def result(self, future: Future[Answer]) -> Answer:
         from distributed import KilledWorker
 
         try:

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, ProcessPoolExecutor, wait
 from contextlib import suppress
 from multiprocessing import get_context
-from typing import Any, Protocol, TypeVar
+from typing import Any, NamedTuple, Protocol, TypeVar
 
 from nppg.bridge.interrupts import heed_interrupt, interruptible
 from nppg.errors import NppgError
@@ -22,6 +22,7 @@ from nppg.errors import NppgError
 _LOSSES = 3  # processes that may be killed under one call
 _PAUSE = 0.1  # seconds until Ctrl-C is heeded
 
+Answer = tuple[bytes, list[str]]  # what `called` gives: bytes, for executors unpickle in threads that ask no Prolog
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
@@ -36,10 +37,10 @@ class Lost(Exception):
 class Worker(Protocol):
     """Does one call at a time."""
 
-    def submit(self, call: bytes) -> Future[tuple[Any, list[str]]]:
+    def submit(self, call: bytes) -> Future[Answer]:
         """Has `called` done elsewhere."""
 
-    def result(self, future: Future[tuple[Any, list[str]]]) -> tuple[Any, list[str]]:
+    def result(self, future: Future[Answer]) -> Answer:
         """What the call gave, which has ended. Raises what it raised; or Lost."""
 
     def interrupt(self) -> None:
@@ -66,7 +67,7 @@ def each(function: Callable[[Item], Result], items: Sequence[Item], pool: Pool) 
     waiting = deque((item, 0) for item in items)
     workers = pool.open(len(items)) if items else []
     free = list(workers)
-    running: dict[Future[tuple[Any, list[str]]], tuple[Worker, Item, int]] = {}
+    running: dict[Future[Answer], tuple[Worker, Item, int]] = {}
     try:
         while waiting or running:
             while waiting and free:
@@ -87,7 +88,7 @@ def each(function: Callable[[Item], Result], items: Sequence[Item], pool: Pool) 
                     del future  # for which a cluster keeps what it has found
                 for message in told:
                     warnings.warn(message, stacklevel=2)
-                yield item, found
+                yield item, pickle.loads(found)
             heed_interrupt()
     except BaseException:
         for worker in workers:
@@ -101,26 +102,35 @@ def each(function: Callable[[Item], Result], items: Sequence[Item], pool: Pool) 
 def in_order(function: Callable[[Item], Result], items: Sequence[Item], pool: Pool) -> Iterator[Result]:
     """What `each` gives, in the order of the items."""
     found: dict[int, Result] = {}
-    ended = each(_numbered, [(function, number, item) for number, item in enumerate(items)], pool)
+    ended = each(_done, [_Numbered(function, item, number) for number, item in enumerate(items)], pool)
     for number in range(len(items)):
         while number not in found:
-            _, (ready, result) = next(ended)
-            found[ready] = result
+            call, result = next(ended)
+            found[call.number] = result
         yield found.pop(number)
 
 
-def _numbered(call: tuple[Callable[[Item], Result], int, Item]) -> tuple[int, Result]:
-    function, number, item = call
-    return number, function(item)
+class _Numbered(NamedTuple):
+    function: Callable[[Any], Any]
+    item: Any
+    number: int
+
+    def __str__(self) -> str:
+        return str(self.item)
 
 
-def called(call: bytes) -> tuple[Any, list[str]]:
-    """Calls a pickled function with a pickled item: what it gives, and what it warns of."""
+def _done(call: _Numbered) -> Any:
+    return call.function(call.item)
+
+
+def called(call: bytes) -> Answer:
+    """Calls a pickled function with a pickled item: what it gives, pickled, and what it warns of."""
     with warnings.catch_warnings(record=True) as noted:
         warnings.simplefilter("always", UserWarning)
         function, item = pickle.loads(call)
         found = function(item)
-    return found, list(dict.fromkeys(str(each.message) for each in noted if issubclass(each.category, UserWarning)))
+    told = (str(each.message) for each in noted if issubclass(each.category, UserWarning))
+    return pickle.dumps(found), list(dict.fromkeys(told))
 
 
 def available_cores() -> int:
@@ -155,7 +165,7 @@ class _Process:
         finally:
             signal.pthread_sigmask(signal.SIG_SETMASK, mask)
 
-    def submit(self, call: bytes) -> Future[tuple[Any, list[str]]]:
+    def submit(self, call: bytes) -> Future[Answer]:
         try:
             return self._executor.submit(_called_interruptibly, call)
         except BrokenExecutor:  # killed between two calls
@@ -163,7 +173,7 @@ class _Process:
             self._start()
             return self._executor.submit(_called_interruptibly, call)
 
-    def result(self, future: Future[tuple[Any, list[str]]]) -> tuple[Any, list[str]]:
+    def result(self, future: Future[Answer]) -> Answer:
         try:
             return future.result()
         except BrokenExecutor:
@@ -177,7 +187,7 @@ class _Process:
         self._executor.shutdown(cancel_futures=True)
 
 
-def _called_interruptibly(call: bytes) -> tuple[Any, list[str]]:
+def _called_interruptibly(call: bytes) -> Answer:
     with interruptible():
         signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
         try:
