@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from nppg import LanguageBias, train
-from nppg.judging.evaluation import ExactEvaluator
-from nppg.judging.space import Space
-from nppg.learning.options import Common
 from nppg.worlds.domain import Domain
 from nppg.worlds.world import Action, State
 
@@ -26,17 +22,6 @@ class Row(NamedTuple):
     compared: str = ""
     target: str = ""
     met: bool | None = None
-
-
-def successes(domain: Domain, bias: LanguageBias, options: Common, marks: Sequence[int], space: Space) -> list[float]:
-    """The exact success of one run after so many episodes; value functions act greedily."""
-    found: list[float] = []
-    judge = None
-    for iteration in train(domain, bias, options):
-        judge = judge or ExactEvaluator(iteration.policy, space)
-        while len(found) < len(marks) and iteration.episodes >= marks[len(found)]:
-            found.append(judge.evaluate().success)
-    return found
 
 
 def timed(function: Callable[[], Any]) -> tuple[float, Any]:

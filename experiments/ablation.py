@@ -11,13 +11,13 @@ from __future__ import annotations
 import argparse
 import csv
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from statistics import mean, pstdev
 from typing import NamedTuple
 
 import numpy as np
 
+from experiments.common import add_seeds, done
 from nppg import Domain, LanguageBias, Options, evaluate, generate_episode, train
 from nppg.bridge.files import locate
 from nppg.policy.policy import Policy
@@ -25,6 +25,15 @@ from nppg.policy.policy import Policy
 DOMAIN = "rover"
 BIASES = {"rover": "relations and numbers", "rover_relational": "relations", "rover_numeric": "numbers"}
 SETTINGS = {"step": "second-order", "min_examples": 500, "discount": 0.95}  # the best of a few, on seeds from 100 on
+
+
+class Run(NamedTuple):
+    """With which bias and options, and after how many episodes it is tested, on so many starts."""
+
+    bias: str
+    options: Options
+    marks: list[int]
+    starts: int
 
 
 class Point(NamedTuple):
@@ -41,8 +50,7 @@ class Point(NamedTuple):
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--seeds", type=int, default=10, help="seeds 0 to N - 1")
-    parser.add_argument("--first-seed", type=int, default=0)
+    add_seeds(parser, 10, first=0)
     parser.add_argument("--episodes", type=int, default=2000)
     parser.add_argument("--every", type=int, default=200, help="episodes between two points")
     parser.add_argument("--starts", type=int, default=500, help="that each point is tested on, the same for all")
@@ -53,32 +61,43 @@ def main() -> None:
     points = _read(path)
     seeds = range(chosen.first_seed, chosen.first_seed + chosen.seeds)
     marks = list(range(0, chosen.episodes + 1, chosen.every))
-    for seed in seeds:
-        for bias in BIASES:
-            if {p.episode for p in points if (p.bias, p.seed) == (bias, seed)} >= set(marks):
-                continue
-            points = [p for p in points if (p.bias, p.seed) != (bias, seed)]
-            points += curve(bias, Options(chosen.episodes, seed, **SETTINGS), marks, chosen.starts)
-            _write(path, points)
-            print(*points[-1], flush=True)
+    there = {
+        (bias, seed)
+        for seed in seeds
+        for bias in BIASES
+        if {p.episode for p in points if (p.bias, p.seed) == (bias, seed)} >= set(marks)
+    }
+    points = [p for p in points if (p.bias, p.seed) in there or p.seed not in seeds]
+    missing = [
+        Run(bias, Options(chosen.episodes, seed, **SETTINGS), marks, chosen.starts)
+        for seed in seeds
+        for bias in BIASES
+        if (bias, seed) not in there
+    ]
+    for found in done(curve, missing, chosen.jobs):
+        points += found
+        _write(path, points)
+        print(*points[-1], flush=True)
     points = [p for p in points if p.seed in seeds and p.episode in marks]
     (chosen.output / "README.md").write_text(_summary(points, chosen))
     _draw(points, chosen.output / "curves.png")
 
 
-def curve(bias_name: str, options: Options, marks: list[int], starts: int) -> Iterator[Point]:
+def curve(run: Run) -> list[Point]:
     """One run, with a point at the first tree after each of so many episodes."""
-    bias = LanguageBias.load(locate(bias_name, "language_bias", ".yaml"))
-    seconds, clock, waiting = 0.0, time.perf_counter(), list(marks)
-    for iteration in train(Domain(DOMAIN), bias, options):
+    bias = LanguageBias.load(locate(run.bias, "language_bias", ".yaml"))
+    seconds, clock, waiting = 0.0, time.perf_counter(), list(run.marks)
+    points = []
+    for iteration in train(Domain(DOMAIN), bias, run.options):
         seconds += time.perf_counter() - clock
         while waiting and iteration.episodes >= waiting[0]:
-            found = evaluate(iteration.policy, starts)
+            found = evaluate(iteration.policy, run.starts)
             trees = len(iteration.policy.trees)
             assert found.mean_return is not None
-            mark = waiting.pop(0)
-            yield Point(bias_name, options.seed, mark, trees, found.success, found.mean_return, round(seconds, 1))
+            mark, place = waiting.pop(0), (run.bias, run.options.seed)
+            points.append(Point(*place, mark, trees, found.success, found.mean_return, round(seconds, 1)))
         clock = time.perf_counter()
+    return points
 
 
 def _read(path: Path) -> list[Point]:

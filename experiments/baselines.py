@@ -6,13 +6,11 @@ python -m experiments.baselines tg --first-seed 100 --seeds 5
 from __future__ import annotations
 
 import argparse
+from itertools import islice
 from statistics import mean, pstdev
 
-from benchmarks.common import successes
-from nppg import Domain, LanguageBias
-from nppg.bridge.files import locate
+from experiments.common import add_seeds, done, successes
 from nppg.experiments.learners import LEARNERS
-from nppg.judging.space import Space
 
 MARKS = (500, 1000, 1500, 2000)
 EXPLORATION: list[dict] = [
@@ -55,19 +53,17 @@ OWN: dict[str, list[dict]] = {
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("learner", choices=OWN)
-    parser.add_argument("--first-seed", type=int, default=100)
-    parser.add_argument("--seeds", type=int, default=5)
+    add_seeds(parser, 5, first=100)
     parser.add_argument("--own", action="store_true", help="leave out the options of the exploration")
     chosen = parser.parse_args()
-    domain = Domain("blocks_world")
-    bias = LanguageBias.load(locate("blocks_world", "language_bias", ".yaml"))
-    space = Space(domain)
+    tried = ({}, *OWN[chosen.learner]) if chosen.own else (*EXPLORATION, *OWN[chosen.learner])
+    seeds, kind = range(chosen.first_seed, chosen.first_seed + chosen.seeds), LEARNERS[chosen.learner]
+    runs = [(kind(episodes=MARKS[-1], seed=seed, **changes), MARKS) for changes in tried for seed in seeds]
+    found = done(successes, runs, chosen.jobs)
     print("| options | " + " | ".join(map(str, MARKS)) + f" | sd at {MARKS[-1]} |")
     print("|---" * (len(MARKS) + 2) + "|", flush=True)
-    for changes in (*EXPLORATION, *OWN[chosen.learner]) if not chosen.own else ({}, *OWN[chosen.learner]):
-        seeds = range(chosen.first_seed, chosen.first_seed + chosen.seeds)
-        kind = LEARNERS[chosen.learner]
-        rows = [successes(domain, bias, kind(episodes=MARKS[-1], seed=seed, **changes), MARKS, space) for seed in seeds]
+    for changes in tried:
+        rows = list(islice(found, len(seeds)))
         means = " | ".join(f"{mean(column):.3f}" for column in zip(*rows, strict=True))
         name = ", ".join(f"{key} {value}" for key, value in changes.items()) or "the defaults"
         print(f"| {name} | {means} | {pstdev(row[-1] for row in rows):.3f} |", flush=True)

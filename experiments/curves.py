@@ -15,6 +15,7 @@ from statistics import mean
 
 import numpy as np
 
+from experiments.common import add_seeds, done
 from nppg import Domain, LanguageBias, Options, run
 from nppg.bridge.files import locate
 from nppg.experiments.progress import Progress, title
@@ -26,7 +27,7 @@ _GRID = 50  # episodes between two points of a mean
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("domain")
-    parser.add_argument("--seeds", type=int, default=10, help="seeds 0 to N - 1")
+    add_seeds(parser, 10)
     parser.add_argument("--episodes", type=int, default=Options().episodes)
     for each in _OPTIONS:
         default = getattr(Options(), each)
@@ -36,20 +37,23 @@ def main() -> None:
     chosen = parser.parse_args()
     chosen.output.mkdir(parents=True, exist_ok=True)
     options = Options(chosen.episodes, **{each: getattr(chosen, each) for each in _OPTIONS})
-    runs = [_learn(chosen.domain, replace(options, seed=seed)) for seed in range(chosen.seeds)]
+    wanted = [(chosen.domain, replace(options, seed=seed)) for seed in range(chosen.seeds)]
+    runs = []
+    for progress in done(_learn, wanted, chosen.jobs):
+        last = progress.curve[-1]
+        success = f"{last.success:.6f}, greedy {last.greedy_success:.6f}"
+        print(f"seed {progress.options.seed}: {success}, {last.trees} trees, {last.seconds} s", flush=True)
+        runs.append(progress)
     _write_csv(runs, chosen.output / "curves.csv")
     _write_summary(runs, chosen, chosen.output / "README.md")
     _draw(runs, chosen.beside, chosen.output / "curves.png")
 
 
-def _learn(name: str, options: Options) -> Progress:
+def _learn(wanted: tuple[str, Options]) -> Progress:
+    name, options = wanted
     domain, bias = Domain(name), LanguageBias.load(locate(name, "language_bias", ".yaml"))
     with tempfile.TemporaryDirectory() as folder:
-        progress = run(domain, bias, options, Path(folder))
-    last = progress.curve[-1]
-    success = f"{last.success:.6f}, greedy {last.greedy_success:.6f}"
-    print(f"seed {options.seed}: {success}, {last.trees} trees, {last.seconds} s", flush=True)
-    return progress
+        return replace(run(domain, bias, options, Path(folder)), evaluator=None)
 
 
 def _write_csv(runs: list[Progress], path: Path) -> None:

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from benchmarks.common import timed
-from nppg import Domain, LanguageBias, Options, train
-from nppg.bridge.files import locate
+from experiments.common import add_seeds, done, world
+from nppg import Options, train
 from nppg.judging.evaluation import ExactEvaluator
 from nppg.policy.policy import Policy
 from nppg.rules.distill import distill
@@ -21,35 +21,37 @@ RULES = 10
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--seeds", type=int, default=10, help="seeds 0 to N - 1")
+    add_seeds(parser, 10)
     parser.add_argument("--episodes", type=int, default=500)
     parser.add_argument("--write", type=Path, metavar="FILE", help="write the report into this file")
     chosen = parser.parse_args()
-    domain = Domain("blocks_world")
-    bias = LanguageBias.load(locate("blocks_world", "language_bias", ".yaml"))
     rows: list[str] = []
     kept = 0
-    judge = None
-    for seed in range(chosen.seeds):
-        options = Options(chosen.episodes, seed, step="second-order")
-        learning, last = timed(lambda options=options: _last(train(domain, bias, options)))
-        distilling, rules = timed(lambda last=last: distill(last, bias, RULES))
-        judge = judge or ExactEvaluator(last)
-        before = ExactEvaluator(last, judge.space)
-        after = ExactEvaluator(rules, judge.space)
-        count, every = len(rules.rules(1)), bool(after.certain(greedy=True)[judge.space.running].all())
-        kept += every and count <= RULES
-        success = f"{after.evaluate(greedy=True).success:.6f}" + (", every start" if every else "")
-        rows.append(
-            f"| {seed} | {len(last.trees)} | {before.evaluate().success:.6f} | "
-            f"{before.evaluate(greedy=True).success:.6f} | {count} | {success} | {learning:.1f} | {distilling:.1f} |"
-        )
-        print(rows[-1], flush=True)
-    assert judge is not None
-    report = _report(chosen, rows, kept, judge.space.starts)
+    runs = [Options(chosen.episodes, seed, step="second-order") for seed in range(chosen.seeds)]
+    for row, is_kept in done(_distilled, runs, chosen.jobs):
+        kept += is_kept
+        rows.append(row)
+        print(row, flush=True)
+    *_, space = world("blocks_world")
+    report = _report(chosen, rows, kept, space.starts)
     if chosen.write:
         chosen.write.write_text(report)
     print(report)
+
+
+def _distilled(options: Options) -> tuple[str, bool]:
+    """A row, and whether it has few rules that succeed from every start."""
+    domain, bias, space = world("blocks_world")
+    learning, last = timed(lambda: _last(train(domain, bias, options)))
+    distilling, rules = timed(lambda: distill(last, bias, RULES))
+    before, after = ExactEvaluator(last, space), ExactEvaluator(rules, space)
+    count, every = len(rules.rules(1)), bool(after.certain(greedy=True)[space.running].all())
+    success = f"{after.evaluate(greedy=True).success:.6f}" + (", every start" if every else "")
+    row = (
+        f"| {options.seed} | {len(last.trees)} | {before.evaluate().success:.6f} | "
+        f"{before.evaluate(greedy=True).success:.6f} | {count} | {success} | {learning:.1f} | {distilling:.1f} |"
+    )
+    return row, every and count <= RULES
 
 
 def _last(iterations: Iterator) -> Policy:

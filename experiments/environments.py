@@ -11,6 +11,7 @@ import time
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from experiments.common import add_jobs, done
 from nppg import Options, Policy, evaluate, language_bias_of, open_domain, train
 from nppg.bias.declarations import TreeLimits
 
@@ -61,16 +62,19 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--only", nargs="+", metavar="ID", default=[each.id for each in TASKS])
     parser.add_argument("--output", type=Path, required=True)
+    add_jobs(parser)
     chosen = parser.parse_args()
     rows = []
-    for task in TASKS:
-        for seed in range(task.seeds) if task.id in chosen.only else ():
-            rows.append(_row(task, seed))
-            print(rows[-1], flush=True)
-            chosen.output.write_text("\n".join([*_head(chosen), *rows]) + "\n")
+    runs = [(task, seed) for task in TASKS if task.id in chosen.only for seed in range(task.seeds)]
+    for row in done(_row, runs, chosen.jobs):
+        rows.append(row)
+        print(row, flush=True)
+        chosen.output.write_text("\n".join([*_head(chosen), *rows]) + "\n")
 
 
-def _row(task: Task, seed: int) -> str:
+def _row(run: tuple[Task, int]) -> str:
+    """With the seed."""
+    task, seed = run
     options = Options(**(_OPTIONS | task.options), seed=seed)  # type: ignore[arg-type]
     policy, steps, episodes, seconds = _learned(task, options)
     stochastic, greedy = (evaluate(policy, _EPISODES, seed, greedy).mean_return for greedy in (False, True))
@@ -110,7 +114,7 @@ def _head(chosen: argparse.Namespace) -> list[str]:
         "",
         f"Mean returns of {_EPISODES} episodes after learning, of the stochastic and of the greedy policy. Options: "
         f"{options}. Trees: {own}. gymnasium {gymnasium.__version__}, Python {platform.python_version()}, "
-        f"{platform.machine()}, one core.",
+        f"{platform.machine()}, one core for each run.",
         "",
         "| environment | seed | return | greedy return | environment steps | episodes | seconds of learning | trees |",
         "|---|---|---|---|---|---|---|---|",

@@ -8,12 +8,14 @@ from __future__ import annotations
 import argparse
 import platform
 import time
+from functools import cache
+from itertools import islice
 from pathlib import Path
 from statistics import mean, pstdev
 from typing import NamedTuple
 
-from nppg import Domain, LanguageBias, Options, train
-from nppg.bridge.files import locate
+from experiments.common import add_seeds, done, world
+from nppg import Options, train
 from nppg.judging.evaluation import ExactEvaluator
 from nppg.judging.optimum import ReturnEvaluator
 from nppg.judging.space import Space
@@ -41,26 +43,21 @@ class Run(NamedTuple):
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--seeds", type=int, default=5, help="seeds 0 to N - 1")
-    parser.add_argument("--first-seed", type=int, default=0)
+    add_seeds(parser, 5, first=0)
     parser.add_argument("--output", type=Path, required=True)
     chosen = parser.parse_args()
-    domain = Domain("grid")
-    bias = LanguageBias.load(locate("grid", "language_bias", ".yaml"))
-    space = Space(domain)
-    rewards = ReturnEvaluator(space)
+    space, rewards = _judges()
     seeds = range(chosen.first_seed, chosen.first_seed + chosen.seeds)
-    rows = []
-    for regressor in ("tilde", "cart"):
-        found = []
-        for seed in seeds:
-            begin = time.perf_counter()
-            *_, last = train(domain, bias, Options(**_OPTIONS, regressor=regressor, seed=seed))  # type: ignore[arg-type]
-            seconds = time.perf_counter() - begin
-            judge = ExactEvaluator(last.policy, space)
-            stochastic, greedy = (judge.probabilities(each) for each in (False, True))
-            found.append(Run(rewards.of(stochastic).mean, rewards.of(greedy).mean, rewards.agreement(greedy), seconds))
-        rows.append(f"| {regressor.upper()} | {' | '.join(map(_moments, zip(*found, strict=True)))} |")
+    rows, regressors = [], ("tilde", "cart")
+    options_of_all = [
+        Options(**_OPTIONS, regressor=regressor, seed=seed)  # type: ignore[arg-type]
+        for regressor in regressors
+        for seed in seeds
+    ]
+    found = done(_learned, options_of_all, chosen.jobs)
+    for regressor in regressors:
+        own = zip(*islice(found, len(seeds)), strict=True)
+        rows.append(f"| {regressor.upper()} | {' | '.join(map(_moments, own))} |")
         print(rows[-1], flush=True)
     options = ", ".join(f"{name} = {value}" for name, value in _OPTIONS.items())
     lines = [
@@ -80,6 +77,23 @@ def main() -> None:
         "Mean ± standard deviation over the seeds.",
     ]
     chosen.output.write_text("\n".join(lines) + "\n")
+
+
+@cache
+def _judges() -> tuple[Space, ReturnEvaluator]:
+    *_, space = world("grid")
+    return space, ReturnEvaluator(space)
+
+
+def _learned(options: Options) -> Run:
+    domain, bias, _ = world("grid")
+    space, rewards = _judges()
+    begin = time.perf_counter()
+    *_, last = train(domain, bias, options)
+    seconds = time.perf_counter() - begin
+    judge = ExactEvaluator(last.policy, space)
+    stochastic, greedy = (judge.probabilities(each) for each in (False, True))
+    return Run(rewards.of(stochastic).mean, rewards.of(greedy).mean, rewards.agreement(greedy), seconds)
 
 
 def _moments(values: tuple[float, ...]) -> str:

@@ -12,6 +12,7 @@ import tempfile
 from pathlib import Path
 from statistics import mean, pstdev
 
+from experiments.common import add_seeds, done
 from nppg import Domain, LanguageBias, Options, Policy, evaluate, run
 from nppg.bridge.files import locate
 from nppg.experiments.progress import Progress
@@ -23,37 +24,33 @@ _STARTS = 2000  # of the last tests
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--seeds", type=int, default=5, help="seeds 0 to N - 1")
+    add_seeds(parser, 5)
     parser.add_argument("--episodes", type=int, default=1000)
     parser.add_argument("--output", type=Path, required=True)
     chosen = parser.parse_args()
     chosen.output.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory() as folder:
-        runs = {
-            noise: [
-                _learn(noise, seed, chosen.episodes, Path(folder, f"{noise}-{seed}")) for seed in range(chosen.seeds)
-            ]
-            for noise in _NOISES
-        }
-        tested = {
-            (noise, under): [
-                _success(Path(folder, f"{noise}-{seed}", "model.pl"), under) for seed in range(chosen.seeds)
-            ]
-            for noise in _NOISES
-            for under in _NOISES
-        }
+    wanted = [(noise, seed, chosen.episodes) for noise in _NOISES for seed in range(chosen.seeds)]
+    runs: dict[float, list[Progress]] = {noise: [] for noise in _NOISES}
+    tested: dict[tuple[float, float], list[float]] = {(noise, under): [] for noise in _NOISES for under in _NOISES}
+    for (noise, seed, _), (progress, successes) in zip(wanted, done(_learn, wanted, chosen.jobs), strict=True):
+        print(f"noise {noise}, seed {seed}: {progress.curve[-1].success:.3f}, {progress.seconds:.0f} s", flush=True)
+        runs[noise].append(progress)
+        for under, success in successes.items():
+            tested[noise, under].append(success)
     _write_csv(runs, chosen.output / "curves.csv")
     _draw(runs, chosen.output / "curves.png")
     _write_summary(runs, tested, chosen, chosen.output / "README.md")
 
 
-def _learn(noise: float, seed: int, episodes: int, folder: Path) -> Progress:
+def _learn(run_of: tuple[float, int, int]) -> tuple[Progress, dict[float, float]]:
+    """With this noise, seed and number of episodes; and the success of its model under each noise."""
+    noise, seed, episodes = run_of
     domain = Domain("noisy_blocks", {"noise": noise})
     bias = LanguageBias.load(locate("noisy_blocks", "language_bias", ".yaml"))
     options = Options(episodes=episodes, seed=seed, **_OPTIONS)  # type: ignore[arg-type]
-    progress = run(domain, bias, options, folder, 100, 500)
-    print(f"noise {noise}, seed {seed}: {progress.curve[-1].success:.3f}, {progress.seconds:.0f} s", flush=True)
-    return progress
+    with tempfile.TemporaryDirectory() as folder:
+        progress = run(domain, bias, options, Path(folder), 100, 500)
+        return progress, {under: _success(Path(folder, "model.pl"), under) for under in _NOISES}
 
 
 def _success(model: Path, noise: float) -> float:

@@ -6,12 +6,11 @@ python -m experiments.second_order --first-seed 10 --seeds 6
 from __future__ import annotations
 
 import argparse
+from itertools import islice
 from statistics import mean
 
-from benchmarks.common import successes
-from nppg import Domain, LanguageBias, Options
-from nppg.bridge.files import locate
-from nppg.judging.space import Space
+from experiments.common import add_seeds, done, successes
+from nppg import Options
 
 MARKS = (100, 200, 300, 500)
 SETTINGS: list[tuple[str, dict]] = [
@@ -38,19 +37,15 @@ SETTINGS: list[tuple[str, dict]] = [
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--first-seed", type=int, default=0)
-    parser.add_argument("--seeds", type=int, default=10)
+    add_seeds(parser, 10, first=0)
     chosen = parser.parse_args()
-    domain = Domain("blocks_world")
-    bias = LanguageBias.load(locate("blocks_world", "language_bias", ".yaml"))
+    seeds = range(chosen.first_seed, chosen.first_seed + chosen.seeds)
+    options = [Options(MARKS[-1], seed, step="second-order", **changes) for _, changes in SETTINGS for seed in seeds]
+    found = done(successes, [(each, MARKS) for each in options], chosen.jobs)
     print("| setting | " + " | ".join(f"{mark}" for mark in MARKS) + f" | worst at {MARKS[-1]} |")
     print("|---" * (len(MARKS) + 2) + "|", flush=True)
-    space = Space(domain)
-    for name, changes in SETTINGS:
-        rows = [
-            successes(domain, bias, Options(MARKS[-1], seed, step="second-order", **changes), MARKS, space)
-            for seed in range(chosen.first_seed, chosen.first_seed + chosen.seeds)
-        ]
+    for name, _ in SETTINGS:
+        rows = list(islice(found, len(seeds)))
         means = " | ".join(f"{mean(column):.3f}" for column in zip(*rows, strict=True))
         print(f"| {name} | {means} | {min(row[-1] for row in rows):.3f} |", flush=True)
 

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import argparse
 from dataclasses import replace
+from itertools import islice
 from statistics import mean
 
-from nppg import Domain, LanguageBias, Options, train
+from experiments.common import add_seeds, done, world
+from nppg import Options, train
 from nppg.bias.declarations import Mode, TreeLimits
-from nppg.bridge.files import locate
 from nppg.judging.evaluation import ExactEvaluator
 
 CHOSEN = TreeLimits(max_depth=4, min_examples=1, min_variance=1e-9)
@@ -28,23 +29,24 @@ SETTINGS: list[tuple[str, TreeLimits, dict, bool]] = [
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--seeds", type=int, default=10, help="seeds 0 to N - 1")
-    seeds = parser.parse_args().seeds
-    domain = Domain("blocks_world")
-    shipped = LanguageBias.load(locate("blocks_world", "language_bias", ".yaml"))
-    space = None
+    add_seeds(parser, 10)
+    chosen = parser.parse_args()
+    seeds = chosen.seeds
+    found = done(_learned, [(number, seed) for number in range(len(SETTINGS)) for seed in range(seeds)], chosen.jobs)
     print(f"| setting | mean success of {seeds} seeds | worst | trees |\n|---|---|---|---|", flush=True)
-    for name, limits, options, higher_only in SETTINGS:
-        modes = tuple(map(_without_same, shipped.modes)) if higher_only else shipped.modes
-        bias = replace(shipped, tree=limits, modes=modes)
-        successes, trees = [], []
-        for seed in range(seeds):
-            *_, last = train(domain, bias, Options(seed=seed, **options))
-            judge = ExactEvaluator(last.policy, space)
-            space = judge.space
-            successes.append(judge.evaluate().success)
-            trees.append(len(last.policy.trees))
+    for name, *_ in SETTINGS:
+        successes, trees = zip(*islice(found, seeds), strict=True)
         print(f"| {name} | {mean(successes):.4f} | {min(successes):.4f} | {mean(trees):.0f} |", flush=True)
+
+
+def _learned(run: tuple[int, int]) -> tuple[float, int]:
+    """With the setting of this number and this seed: the exact success, and how many trees there are."""
+    number, seed = run
+    _, limits, options, higher_only = SETTINGS[number]
+    domain, shipped, space = world("blocks_world")
+    modes = tuple(map(_without_same, shipped.modes)) if higher_only else shipped.modes
+    *_, last = train(domain, replace(shipped, tree=limits, modes=modes), Options(seed=seed, **options))
+    return ExactEvaluator(last.policy, space).evaluate().success, len(last.policy.trees)
 
 
 def _without_same(mode: Mode) -> Mode:

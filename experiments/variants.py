@@ -11,11 +11,13 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from itertools import islice
 from pathlib import Path
 from statistics import mean, pstdev
 
 import numpy as np
 
+from experiments.common import add_seeds, done
 from nppg import Domain, LanguageBias, Options, Policy, evaluate_exactly, train
 from nppg.bridge.files import locate
 from nppg.experiments.corridor import Corridor
@@ -76,26 +78,34 @@ VARIANTS: dict[str, dict] = {
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--seeds", type=int, default=10, help="seeds 0 to N - 1")
+    add_seeds(parser, 10)
     parser.add_argument("--output", type=Path, required=True)
     chosen = parser.parse_args()
     begin = time.perf_counter()
-    loaded = [
-        (Domain(each.domain, each.parameters), LanguageBias.load(locate(each.domain, "language_bias", ".yaml")))
-        for each in WORLDS
-    ]
+    runs = [(name, number, seed) for name in VARIANTS for number in range(len(WORLDS)) for seed in range(chosen.seeds)]
+    all_found = done(_measured, runs, chosen.jobs)
     rows = []
-    for name, changes in VARIANTS.items():
+    for name in VARIANTS:
         cells = []
-        for world, (domain, bias) in zip(WORLDS, loaded, strict=True):
-            found = []
-            for seed in range(chosen.seeds):
-                *_, last = train(domain, bias, Options(**(world.options | changes), seed=seed))
-                found.append(world.measure(last.policy))
+        for _ in WORLDS:
+            found = list(islice(all_found, chosen.seeds))
             cells.append(f"{mean(found):.3f} ± {pstdev(found):.3f}, worst {min(found):.3f}")
         rows.append(f"| {name} | {' | '.join(cells)} |")
         print(rows[-1], flush=True)
     chosen.output.write_text("\n".join([*_head(chosen, time.perf_counter() - begin), *rows]) + "\n")
+
+
+@cache
+def _loaded(number: int) -> tuple[Domain, LanguageBias]:
+    each = WORLDS[number]
+    return Domain(each.domain, each.parameters), LanguageBias.load(locate(each.domain, "language_bias", ".yaml"))
+
+
+def _measured(run: tuple[str, int, int]) -> float:
+    """Of the variant of this name, in the world of this number, with this seed."""
+    name, number, seed = run
+    *_, last = train(*_loaded(number), Options(**(WORLDS[number].options | VARIANTS[name]), seed=seed))
+    return WORLDS[number].measure(last.policy)
 
 
 def _head(chosen: argparse.Namespace, seconds: float) -> list[str]:

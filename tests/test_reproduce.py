@@ -11,7 +11,7 @@ import pytest
 
 from nppg.cli.main import main
 from nppg.experiments.paper import EXPERIMENTS
-from nppg.experiments.reproduce import jobs
+from nppg.experiments.reproduce import jobs_of
 from nppg.judging.evaluation import ExactEvaluator
 from nppg.judging.space import Space
 from nppg.policy.policy import Policy
@@ -64,10 +64,10 @@ def test_finished_runs_are_not_done_again(done: Path, capsys: pytest.CaptureFixt
 
 def test_other_settings_are_other_runs(done: Path) -> None:
     experiment = EXPERIMENTS["figure1"]
-    assert all(job.is_finished() for job in jobs(experiment, 2, 100, {"blocks": 4}, done))
+    assert all(job.is_finished() for job in jobs_of(experiment, 2, 100, {"blocks": 4}, done))
     for episodes, parameters in ((200, {"blocks": 4}), (100, {"blocks": 5}), (100, {})):
-        assert not any(job.is_finished() for job in jobs(experiment, 2, episodes, parameters, done))
-    assert not jobs(experiment, 3, 100, {"blocks": 4}, done)[2].is_finished()
+        assert not any(job.is_finished() for job in jobs_of(experiment, 2, episodes, parameters, done))
+    assert not jobs_of(experiment, 3, 100, {"blocks": 4}, done)[2].is_finished()
 
 
 def test_figure2_takes_the_runs_that_are_there(done: Path, capsys: pytest.CaptureFixture) -> None:

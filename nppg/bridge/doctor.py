@@ -76,6 +76,7 @@ def _checks() -> Iterator[Check]:
     yield _extra("scikit-learn", "cart", "CART as a regression learner")
     yield _extra("gymnasium", "gym", "its environments as domains")
     yield _extra("unified-planning", "pddl", "policies as a planner of it")
+    yield _extra("distributed", "cluster", "runs on the workers of a cluster")
     yield _extra("tqdm", "progress", "progress bars")
 
 

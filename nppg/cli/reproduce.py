@@ -6,10 +6,11 @@ import argparse
 import time
 from pathlib import Path
 
+from nppg.cli import jobs
 from nppg.cli.arguments import add_parameters, parameters
 from nppg.experiments import figures
 from nppg.experiments.paper import EXPERIMENTS
-from nppg.experiments.reproduce import available_cores, do, jobs
+from nppg.experiments.reproduce import jobs_of
 from nppg.learning.options import at_least
 
 
@@ -18,7 +19,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("experiment", choices=EXPERIMENTS)
     parser.add_argument("--runs", type=int, help="runs of each variant, seeds from 0 (default: as in the paper)")
     parser.add_argument("--episodes", type=int, help="of each run (default: as in the paper)")
-    parser.add_argument("--jobs", type=int, help="runs at a time (default: the cores there are)")
+    jobs.add_pool(parser)
     add_parameters(parser)
     parser.add_argument(
         "--output",
@@ -31,19 +32,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Prints a line a run, then the files. Raises NppgError."""
     experiment = EXPERIMENTS[options.experiment]
-    processes = available_cores() if options.jobs is None else options.jobs
+    pool = jobs.pool(options)
     runs = experiment.runs if options.runs is None else options.runs
     episodes = experiment.episodes if options.episodes is None else options.episodes
-    for name, value in (("runs", runs), ("jobs", processes)):
-        at_least(name, value, 1)
-    wanted = jobs(experiment, runs, episodes, parameters(options.set), options.output)
-    begin, done = time.perf_counter(), 0
-    for count, (job, seconds) in enumerate(do(wanted, processes), 1):
-        done += seconds > 0
-        how = f"{seconds:.0f} s" if seconds else "done before"
-        print(f"{count:3d} of {len(wanted)}: {job.folder.name}, {job.result()}, {how}", flush=True)
+    at_least("runs", runs, 1)
+    wanted = jobs_of(experiment, runs, episodes, parameters(options.set), options.output)
+    begin = time.perf_counter()
     command = " ".join(["nppg", "reproduce", *(options.arguments[1:])])
-    took = time.perf_counter() - begin if done else 0.0
+    any_done = jobs.do(wanted, pool)
+    took = time.perf_counter() - begin if any_done else 0.0
     for path in figures.write(experiment.name, wanted, options.output, command, took):
         print(f"written: {path}")
     return 0

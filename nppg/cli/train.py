@@ -7,14 +7,16 @@ import math
 from dataclasses import fields, replace
 from pathlib import Path
 
-from nppg.cli import loading
+from nppg.cli import jobs, loading
 from nppg.cli.arguments import add_domain, warnings_told
 from nppg.cli.progress import reporter
 from nppg.cli.training_options import add_training_options, chosen_options
 from nppg.errors import NppgError
-from nppg.experiments import runs
+from nppg.experiments import runs, seeds
+from nppg.experiments.jobs import Job, packed
 from nppg.experiments.learners import LEARNERS, LIMITS, learner_of, options_of
 from nppg.learning.options import at_least
+from nppg.worlds.problems import numbers_of
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -24,7 +26,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     learned = parser.add_argument_group("what to learn")
     add_domain(learned)
     files = parser.add_argument_group("output")
-    files.add_argument("--output", type=Path, metavar="DIR", help="folder for the files (default: runs/DOMAIN)")
+    files.add_argument(
+        "--output",
+        type=Path,
+        metavar="DIR",
+        help="folder for the files (default: runs/DOMAIN, or runs/DOMAIN-seeds)",
+    )
     files.add_argument(
         "--evaluate-every",
         type=int,
@@ -47,6 +54,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="stop at the first point with this mean return; points are then sampled, not exact",
     )
     files.add_argument("--quiet", action="store_true", help="print nothing")
+    many = parser.add_argument_group("several runs")
+    many.add_argument(
+        "--seeds",
+        metavar="N-M",
+        help="a run with each of these seeds, 0-9 or 0,3,7, in a folder of its own, and one curve; finished runs that "
+        "the folder has are not done again",
+    )
+    jobs.add_pool(many)
     add_training_options(parser, learned)
 
 
@@ -65,18 +80,41 @@ def run(options: argparse.Namespace) -> int:
     limits = {LIMITS[name].name: value for name, value in given.items() if name not in own}
     bias = replace(bias, tree=replace(bias.tree, **limits))
     chosen = options_of(bias, learner, **{name: value for name, value in given.items() if name in own})
-    output = options.output or Path("runs") / domain.name
-    report = (lambda progress: None) if options.quiet else reporter(chosen)
     until = options.until_success
     if until is not None and not (0 <= until <= 1 and options.evaluate_every != 0):
         raise NppgError("until-success must be from 0 to 1, and needs points of the curve (evaluate-every)")
     least = options.until_return
     if least is not None and not (math.isfinite(least) and options.evaluate_every != 0):
         raise NppgError("until-return must be a finite number, and needs points of the curve (evaluate-every)")
+    output = options.output or Path("runs") / (domain.name if options.seeds is None else f"{domain.name}-seeds")
+    if options.seeds is not None:
+        judging = runs.judging_of(domain, options.evaluate_every, starts, until, least)
+        return _with_seeds(options, Job(packed(domain, bias), chosen, judging, output))
+    if options.jobs is not None or options.cluster is not None:  # here --jobs will be passed to the one run
+        raise NppgError("--jobs and --cluster are for several runs: give --seeds")
+    report = (lambda progress: None) if options.quiet else reporter(chosen)
     with warnings_told(not options.quiet):
         progress = runs.run(
             domain, bias, chosen, output, options.evaluate_every, starts, report, until, until_return=least
         )
     if not options.quiet:
         print(f"written to {output}/: {', '.join(progress.written)}")
+    return 0
+
+
+def _with_seeds(options: argparse.Namespace, job: Job) -> int:
+    """Does the run with each of the seeds, prints a line for each, and writes their curve. Raises NppgError."""
+    if options.seed is not None:
+        raise NppgError("--seed is for one run, --seeds for several: give one of them")
+    numbers = numbers_of(options.seeds, "--seeds")
+    if numbers is None:
+        raise NppgError(f"--seeds takes numbers such as 0-9 or 0,3,7, not '{options.seeds}'")
+    wanted = seeds.with_seeds(job, dict.fromkeys(numbers))
+    with warnings_told(not options.quiet):
+        jobs.do(wanted, jobs.pool(options), not options.quiet)
+    written = seeds.write(wanted, job.folder) if job.judging["evaluate_every"] else []
+    if not options.quiet:
+        if written:
+            print(seeds.summary(wanted))
+        print(f"written to {job.folder}/: {', '.join([*map(str, wanted), *written])}")
     return 0

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TypedDict
 
 from nppg.judging.evaluation import ExactEvaluator
 from nppg.learning.gradient import total
@@ -11,7 +11,17 @@ from nppg.learning.options import Common
 from nppg.policy.policy import Policy
 from nppg.worlds.domain import Domain
 
+MEASURES = {"success": ("success", "greedy_success"), "return": ("mean_return", "greedy_return")}  # as points have them
 _RECENT = 100  # episodes that `recent` is the mean of
+
+
+class Judging(TypedDict):
+    """The arguments of `run` about the curve, with what is meant where they are left out."""
+
+    evaluate_every: int
+    starts: int | None
+    until_success: float | None
+    until_return: float | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +51,7 @@ class Progress:
 
     policy: Policy
     options: Common
-    judging: Mapping[str, int | float | None] = field(default_factory=dict)  # run's arguments about the curve
+    judging: Judging
     episodes: int = 0
     seconds: float = 0.0
     outcomes: list[float] = field(default_factory=list)  # of each episode: see `measure`
@@ -53,10 +63,8 @@ class Progress:
 
     @property
     def measure(self) -> str:
-        """What episodes are judged by: their success; their return in domains without a goal, and where the run is to
-        end at one."""
-        for_return = self.judging.get("until_return") is not None
-        return "success" if self.policy.domain.has_goal and not for_return else "return"
+        """What episodes are judged by."""
+        return measured(self.policy.domain, self.judging)
 
     def judged(self, point: Point) -> tuple[float, float]:
         """The measure of a point's stochastic policy and of its greedy one."""
@@ -68,6 +76,12 @@ class Progress:
     def recent(self) -> float:
         """Mean over the last episodes: the share that reached the goal, or the return."""
         return total(self.outcomes[-_RECENT:]) / max(len(self.outcomes[-_RECENT:]), 1)
+
+
+def measured(domain: Domain, judging: Judging) -> str:
+    """What episodes are judged by: their success; their return in domains without a goal, and where the run is to end
+    at one."""
+    return "success" if domain.has_goal and judging["until_return"] is None else "return"
 
 
 def sizes(policy: Policy) -> str:

@@ -5,9 +5,11 @@ from __future__ import annotations
 import csv
 import json
 import platform
+from collections.abc import Mapping
 from dataclasses import asdict, fields
 from importlib.metadata import version
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -16,7 +18,9 @@ from nppg.bridge.files import replacing, sha256
 from nppg.bridge.interrupts import undisturbed
 from nppg.bridge.prolog import ask
 from nppg.errors import NppgError, Problem
-from nppg.experiments.progress import Point, Progress, sizes, title
+from nppg.experiments import drawing
+from nppg.experiments.progress import Judging, Point, Progress, sizes, title
+from nppg.learning.options import Common
 from nppg.policy.copies import conflicts, recorded_hashes, write_copies
 from nppg.policy.model import write_model
 from nppg.worlds.domain import Domain
@@ -36,6 +40,38 @@ def _copies(domain: Domain, bias: LanguageBias) -> dict[str, bytes]:
     return copies | {Path(bias.file).name: bias.source} if bias.source else copies
 
 
+def settings(domain: Domain, bias: LanguageBias, options: Common, judging: Judging) -> dict[str, Any]:
+    """What a run depends on, as run.json tells it."""
+    return {
+        "domain": {"file": domain.path.name, "sha256": domain.hash, "parameters": domain.parameters},
+        "bias": {"file": Path(bias.file).name, "sha256": bias.hash} if bias.source else None,
+        "beside": [{"file": name, "sha256": sha256(source)} for name, source in domain.companions.items()],
+        "learner": options.learner,
+        "options": asdict(options),
+        "tree": asdict(bias.tree),
+        "curve": dict(judging),
+    }
+
+
+def is_finished(output: Path, wanted: Mapping[str, Any]) -> bool:
+    """Whether a folder holds the model and the curve of a run with these settings that came to its end."""
+    try:
+        summary = json.loads((output / "run.json").read_text())
+        last, judging = summary["last"] or {}, summary["curve"]
+        alike = all(summary[name] == value for name, value in json.loads(json.dumps(wanted)).items())
+        ended = summary["episodes"] == summary["options"]["episodes"] or any_reached(
+            (last.get("success"), judging["until_success"]), (last.get("mean_return"), judging["until_return"])
+        )
+    except (OSError, ValueError, KeyError, TypeError):
+        return False
+    return alike and ended and all((output / name).is_file() for name in _FILES[: 3 if last else 2])
+
+
+def any_reached(*wanted: tuple[float | None, float | None]) -> bool:
+    """Whether one of these values is as high as it is to be."""
+    return any(least is not None and value is not None and value >= least for value, least in wanted)
+
+
 @undisturbed()
 def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[str]:
     """Writes all files of a run, each under a temporary name first, and removes the curve of an earlier one. Returns
@@ -47,7 +83,7 @@ def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[st
     copies = _copies(domain, bias)
     problems = conflicts(output, copies, _FILES)
     copies = {name: source for name, source in copies.items() if name not in problems}
-    until = any(progress.judging.get(name) is not None for name in ("until_success", "until_return"))
+    until = (progress.judging["until_success"], progress.judging["until_return"]) != (None, None)
     facts = [
         *([("bias", Path(bias.file).name), ("bias_sha256", bias.hash)] if bias.source else []),
         *(("option", ("=", name, value)) for name, value in asdict(options).items()),
@@ -65,13 +101,7 @@ def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[st
         "prolog": ask("version"),
         "python": platform.python_version(),
         "numpy": np.__version__,
-        "domain": {"file": domain.path.name, "sha256": domain.hash, "parameters": domain.parameters},
-        "bias": {"file": Path(bias.file).name, "sha256": bias.hash} if bias.source else None,
-        "beside": [{"file": name, "sha256": sha256(source)} for name, source in domain.companions.items()],
-        "learner": options.learner,
-        "options": asdict(options),
-        "tree": asdict(bias.tree),
-        "curve": dict(progress.judging),
+        **settings(domain, bias, options, progress.judging),
         "episodes": progress.episodes,
         **policy.sizes(),
         "seconds": round(progress.seconds, 3),
@@ -98,13 +128,9 @@ def _write_curve(path: Path, curve: list[Point]) -> None:
 
 def _draw(progress: Progress, path: Path) -> bool:
     """Whether matplotlib is there to draw the curve."""
-    try:
-        import matplotlib
-    except ImportError:
+    pyplot = drawing.pyplot()
+    if pyplot is None:
         return False
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     figure, axes = pyplot.subplots(figsize=(9, 4), layout="constrained")
     episodes = [point.episode for point in progress.curve]
     exact = "exact" if progress.curve[-1].exact else "sampled"

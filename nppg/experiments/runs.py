@@ -5,14 +5,15 @@ from __future__ import annotations
 import tempfile
 import time
 from collections.abc import Callable
+from functools import lru_cache
 from pathlib import Path
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.plain import alone
 from nppg.errors import NppgError, Problem
 from nppg.experiments.learners import options_of
-from nppg.experiments.progress import Point, Progress
-from nppg.experiments.run_files import in_the_way, write_files
+from nppg.experiments.progress import Judging, Point, Progress
+from nppg.experiments.run_files import any_reached, in_the_way, write_files
 from nppg.experiments.train import train
 from nppg.judging.evaluation import Evaluation, ExactEvaluator, evaluate, spread
 from nppg.judging.space import Space
@@ -49,21 +50,13 @@ def run(
     in the way of a copy of the domain or the bias.
     """
     options = options_of(bias) if options is None else options
-    if evaluate_every is None:
-        evaluate_every = 200 if domain.chosen else 50
-    if starts is None and not domain.chosen:
-        starts = 1000
+    judging = judging_of(domain, evaluate_every, starts, until_success, until_return)
+    evaluate_every, starts = judging["evaluate_every"], judging["starts"]
     problems = bias.check(domain.predicates, domain.actions)
     problems += in_the_way(domain, bias, output)
     if problems:
         raise NppgError(problems)
-    _make_folder(output)
-    judging = {
-        "evaluate_every": alone(evaluate_every),
-        "starts": alone(starts),
-        "until_success": alone(until_success),
-        "until_return": alone(until_return),
-    }
+    make_folder(output)
     progress: Progress | None = None
     try:
         clock = time.perf_counter()
@@ -72,7 +65,7 @@ def run(
             progress = progress or Progress(iteration.policy, options, judging)
             _advance(progress, iteration, time.perf_counter() - clock)
             if _is_due(progress, iteration, evaluate_every):
-                judge = judge or _judge(progress, alone(starts), space)
+                judge = judge or _judge(progress, starts, space)
                 progress.point = _point(progress, *judge())
                 progress.curve.append(progress.point)
             reached = _reached(progress.point, until_success, until_return)
@@ -92,7 +85,24 @@ def run(
     return progress
 
 
-def _make_folder(output: Path) -> None:
+def judging_of(
+    domain: Domain,
+    evaluate_every: int | None,
+    starts: int | None,
+    until_success: float | None = None,
+    until_return: float | None = None,
+) -> Judging:
+    """These arguments of `run`, with what is meant where they are left out."""
+    return {
+        "evaluate_every": alone((200 if domain.chosen else 50) if evaluate_every is None else evaluate_every),
+        "starts": alone(1000 if starts is None and not domain.chosen else starts),
+        "until_success": alone(until_success),
+        "until_return": alone(until_return),
+    }
+
+
+def make_folder(output: Path) -> None:
+    """Raises NppgError where it cannot be written to."""
     try:
         output.mkdir(parents=True, exist_ok=True)
         tempfile.TemporaryFile(dir=output).close()
@@ -103,8 +113,7 @@ def _make_folder(output: Path) -> None:
 def _reached(point: Point | None, success: float | None, mean_return: float | None) -> bool:
     if point is None:
         return False
-    wanted = ((point.success, success), (point.mean_return, mean_return))
-    return any(least is not None and value is not None and value >= least for value, least in wanted)
+    return any_reached((point.success, success), (point.mean_return, mean_return))
 
 
 def _advance(progress: Progress, iteration: Iteration, seconds: float) -> None:
@@ -129,7 +138,7 @@ def _judge(progress: Progress, starts: int | None, space: Space | None) -> Calla
     policy, seed, factor = progress.policy, progress.options.seed, progress.options.horizon_factor
     if policy.domain.is_countable and progress.measure == "success":
         try:
-            exact = ExactEvaluator(policy, space or Space(policy.domain, _CLASSES))
+            exact = ExactEvaluator(policy, space or _space(policy.domain))
         except NppgError:
             pass
         else:
@@ -145,6 +154,12 @@ def _judge(progress: Progress, starts: int | None, space: Space | None) -> Calla
         evaluate(policy, count, seed, False, factor, problems),
         evaluate(policy, count, seed, True, factor, problems),
     )
+
+
+@lru_cache(1)
+def _space(domain: Domain) -> Space:
+    """What runs in one domain share."""
+    return Space(domain, _CLASSES)
 
 
 def _point(progress: Progress, stochastic: Evaluation, greedy: Evaluation) -> Point:

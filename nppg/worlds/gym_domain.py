@@ -74,8 +74,15 @@ class GymDomain(Domain):
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         vars(self).update(state)
+        self._made = self._made or make(self.environment, self.parameters)
         self._read, _ = _reader(self._made)
         self._masks = _method(self._made.env, _MASKS)
+
+    def unmade(self) -> GymDomain:
+        """To be pickled: without the environment, which need not be one that can be, and is made anew there."""
+        other = object.__new__(type(self))
+        vars(other).update(vars(self), _made=None, _state=None, _now=_ENDED)
+        return other
 
     def __copy__(self) -> GymDomain:
         """With an environment of its own, so that it goes on from where this one is, whatever this one does."""

@@ -15,7 +15,7 @@ from nppg.errors import NppgError, Problem
 from nppg.worlds.state import Interpretation, interpretation_of, static_facts
 
 BESIDE = "_problems.pl"  # ends the name of the file with a domain file's problems, which lies beside it
-_MOST = 100_000  # problems that a range may choose
+_MOST = 100_000  # numbers that a range may choose
 _KEPT = 100  # start states that are remembered
 
 
@@ -36,6 +36,12 @@ class Problems:
                 self._known.pop(next(iter(self._known)))
             self._known[number] = self._read(number)
         return self._known[number]
+
+    def __reduce__(self) -> tuple:
+        """Given ones take all states along, for their files may be missing where they are unpickled."""
+        if self.given:
+            return numbered, ([self.state(number) for number in self.names], list(self.names.values()))
+        return Problems, (self.names, self._read, False)
 
 
 def numbered(states: Sequence[Interpretation], names: Sequence[str]) -> Problems:
@@ -70,17 +76,18 @@ def problems_text(states: Iterable[tuple[str, Sequence[Ground]]]) -> str:
     return "\n".join(found)
 
 
-def numbers_of(text: str) -> list[int] | None:
-    """The numbers that a text like 1-20 or 3,5,8-10 lists, None where it is another one."""
+def numbers_of(text: str, option: str = "--problems") -> list[int] | None:
+    """The numbers that a text like 1-20 or 3,5,8-10 lists, None where it is another one. Raises NppgError, which names
+    the option that they are for."""
     if not re.fullmatch(r"\d+(-\d+)?(,\d+(-\d+)?)*", text):
         return None
     found: list[int] = []
     for part in text.split(","):
         first, _, last = part.partition("-")
         if last and int(last) < int(first):
-            raise NppgError(f"--problems: {part} ends before it begins")
+            raise NppgError(f"{option}: {part} ends before it begins")
         if last and int(last) - int(first) >= _MOST:
-            raise NppgError(f"--problems: {part} are more than {_MOST:,} problems")
+            raise NppgError(f"{option}: {part} are more than {_MOST:,} {option.lstrip('-')}")
         found += range(int(first), int(last or first) + 1)
     return found
 

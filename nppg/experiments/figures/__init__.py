@@ -5,7 +5,6 @@ Each has a module with three functions: `rows` of numbers from the finished runs
 
 from __future__ import annotations
 
-import csv
 import platform
 from collections.abc import Sequence
 from importlib.metadata import version
@@ -13,21 +12,20 @@ from pathlib import Path
 
 from nppg.bridge.files import replacing
 from nppg.errors import NppgError
+from nppg.experiments.drawing import pyplot
 from nppg.experiments.figures import corridor, learners, lengths
+from nppg.experiments.figures.common import write_csv
 from nppg.experiments.reproduce import Job
 
 
 def write(name: str, finished: Sequence[Job], output: Path, command: str, seconds: float) -> list[Path]:
     """Writes NAME.csv, NAME.png and NAME.md from the finished runs. Returns their paths."""
-    try:
-        import matplotlib
-    except ImportError:
-        raise NppgError("the picture needs matplotlib: pip install 'nppg[plot]'") from None
-    matplotlib.use("Agg")
+    if pyplot() is None:
+        raise NppgError("the picture needs matplotlib: pip install 'nppg[plot]'")
     figure = {"figure1": learners, "figure2": lengths, "figure3": corridor}[name]
     found = figure.rows(finished)
     paths = [output / f"{name}.{suffix}" for suffix in ("csv", "png", "md")]
-    replacing(paths[0], lambda path: _write_csv(found, path))
+    replacing(paths[0], lambda path: write_csv(found, path))
     replacing(paths[1], lambda path: figure.draw(found, path))
     text = [*_head(name, finished, command, seconds), *figure.tell(found, finished), ""]
     replacing(paths[2], lambda path: path.write_text("\n".join(text)))
@@ -49,10 +47,3 @@ def _head(name: str, finished: Sequence[Job], command: str, seconds: float) -> l
         f"![{name}]({name}.png)",
         "",
     ]
-
-
-def _write_csv(rows: list[dict], path: Path) -> None:
-    with path.open("w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows({key: f"{x:.6f}" if isinstance(x, float) else x for key, x in row.items()} for row in rows)

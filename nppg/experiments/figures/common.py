@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
+import csv
 from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
 from statistics import mean, pstdev
 from typing import Any
-
-from nppg.experiments.reproduce import Job
-
-
-def at(job: Job, episode: float) -> int:
-    """The test that a point of the curve belongs to: policy gradients are tested with the next tree behind it."""
-    return int(episode) // job.experiment.every * job.experiment.every
 
 
 def grouped(rows: Iterable[Any], key: Callable) -> dict[Any, list]:
@@ -23,3 +18,10 @@ def grouped(rows: Iterable[Any], key: Callable) -> dict[Any, list]:
 
 def moments(name: str, values: Sequence[float]) -> dict[str, float]:
     return {f"{name}_mean": mean(values), f"{name}_sd": pstdev(values)}
+
+
+def write_csv(rows: Sequence[dict], path: Path) -> None:
+    with path.open("w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows({key: f"{x:.6f}" if isinstance(x, float) else x for key, x in row.items()} for row in rows)

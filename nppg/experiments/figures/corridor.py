@@ -11,7 +11,6 @@ import numpy as np
 from nppg.experiments.corridor import Corridor
 from nppg.experiments.figures.common import grouped, moments
 from nppg.experiments.reproduce import Job
-from nppg.worlds.domain import Domain
 
 _METHODS = {"paper": "the paper's step", "critic": "second-order with critic"}
 _LEARNERS = {"cart": "CART", "tilde": "TILDE"}
@@ -21,13 +20,13 @@ def rows(finished: Sequence[Job]) -> list[dict]:
     """For each variant, iteration and position the moments of the probability of going left and of the return."""
     found = []
     for own in grouped(finished, lambda job: job.variant.name).values():
-        noise = {name: _domain(own[0]).parameters[name] for name in ("noise_mean", "noise_sd")}
+        noise = {name: own[0].domain.parameters[name] for name in ("noise_mean", "noise_sd")}
         method, regressor, _ = own[0].variant.name.split("-")
         variant = {
             "method": method,
             "regressor": regressor,
             **noise,
-            "switch": Corridor(_domain(own[0])).optimum().switch,
+            "switch": Corridor(own[0].domain).optimum().switch,
         }
         tests = (test for job in own for test in job.tests())
         for (iteration, position), here in sorted(grouped(tests, _place).items()):
@@ -87,7 +86,7 @@ def tell(rows: list[dict], finished: Sequence[Job]) -> list[str]:
     ]
     by_variant = grouped(finished, lambda job: job.variant.name).values()
     for (title, own_rows), own in zip(grouped(rows, _title).items(), by_variant, strict=True):
-        cells = Corridor(_domain(own[0]))
+        cells = Corridor(own[0].domain)
         best = cells.optimum()
         last = own_rows[-1]["iteration"]
         ends = [[test for test in job.tests() if test["iteration"] == last] for job in own]
@@ -135,7 +134,3 @@ def _switch(end: list[dict[str, float]]) -> tuple[float, float]:
 
 def _title(row: dict) -> str:
     return f"{_METHODS[row['method']]}, {_LEARNERS[row['regressor']]}, N({row['noise_mean']:g}, {row['noise_sd']:g})"
-
-
-def _domain(job: Job) -> Domain:
-    return Domain(job.experiment.domain, job.parameters)

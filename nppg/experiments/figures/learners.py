@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from statistics import mean
 
-from nppg.experiments.figures.common import at, grouped, moments
+from nppg.experiments.figures.common import grouped, moments
 from nppg.experiments.reproduce import Job
 
 NAMES = {"nppg": "TREENPPG", "tg": "RRL-TG", "rib": "RRL-RIB", "trendi": "RRL-TRENDI"}
@@ -24,7 +24,7 @@ def rows(finished: Sequence[Job]) -> list[dict]:
         found: dict[int, list[dict]] = {}
         for job in own:
             sampled: dict[int, list] = grouped(job.tests(), lambda test: test["episode"])
-            points = {at(job, float(point["episode"])): point for point in job.curve()}
+            points = {job.due(float(point["episode"])): point for point in job.curve()}
             for episode, point in points.items():
                 tests = sampled[int(point["episode"])]
                 share = sum(each["succeeded"] for each in tests) / sum(each["drawn"] for each in tests)

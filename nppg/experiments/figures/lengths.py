@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from nppg.experiments.figures.common import at, grouped, moments
+from nppg.experiments.figures.common import grouped, moments
 from nppg.experiments.reproduce import Job
 
 
@@ -14,7 +14,7 @@ def rows(finished: Sequence[Job]) -> list[dict]:
     tests_by: dict[tuple[int, int], list[dict[str, float]]] = {}
     for job in finished:
         for test in job.tests():
-            tests_by.setdefault((at(job, test["episode"]), int(test["length"])), []).append(test)
+            tests_by.setdefault((job.due(test["episode"]), int(test["length"])), []).append(test)
     found = []
     for (episode, length), tests in sorted(tests_by.items()):
         row: dict = {"episode": episode, "length": length, "share": tests[0]["share"], "runs": len(tests)}
