@@ -14,7 +14,8 @@ from nppg.experiments.learners import options_of
 from nppg.experiments.progress import Point, Progress
 from nppg.experiments.run_files import in_the_way, write_files
 from nppg.experiments.train import train
-from nppg.judging.evaluation import Evaluation, ExactEvaluator, evaluate, spread
+from nppg.judging.evaluation import Evaluation, ExactEvaluator, evaluate_both, spread
+from nppg.judging.memory import Memory
 from nppg.judging.space import Space
 from nppg.learning.options import Common
 from nppg.learning.training import Iteration
@@ -141,10 +142,8 @@ def _judge(progress: Progress, starts: int | None, space: Space | None) -> Calla
             return exactly
     problems = spread(policy.domain.chosen, _PROBLEMS) if starts is None else []
     count = starts or len(problems)
-    return lambda: (
-        evaluate(policy, count, seed, False, factor, problems),
-        evaluate(policy, count, seed, True, factor, problems),
-    )
+    memory = Memory(policy.domain)
+    return lambda: evaluate_both(policy, count, seed, factor, problems, memory)
 
 
 def _point(progress: Progress, stochastic: Evaluation, greedy: Evaluation) -> Point:
