@@ -14,6 +14,7 @@ from nppg.cli.training_options import add_training_options, chosen_options
 from nppg.errors import NppgError
 from nppg.experiments import runs
 from nppg.experiments.learners import LEARNERS, LIMITS, learner_of, options_of
+from nppg.experiments.reproduce import available_cores
 from nppg.learning.options import at_least
 
 
@@ -46,6 +47,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="R",
         help="stop at the first point with this mean return; points are then sampled, not exact",
     )
+    files.add_argument(
+        "--jobs",
+        type=int,
+        metavar="N",
+        help="processes that work at the run; the numbers are the same (default: 2, where there are as many cores)",
+    )
     files.add_argument("--quiet", action="store_true", help="print nothing")
     add_training_options(parser, learned)
 
@@ -53,6 +60,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Learns, prints the curve's points and writes the files. Raises NppgError."""
     at_least("evaluate-every", options.evaluate_every or 0, 0)
+    jobs = min(2, available_cores()) if options.jobs is None else at_least("jobs", options.jobs, 1)
     if options.starts is not None:
         at_least("starts", options.starts, 1)
     domain = loading.domain(options)
@@ -75,7 +83,7 @@ def run(options: argparse.Namespace) -> int:
         raise NppgError("until-return must be a finite number, and needs points of the curve (evaluate-every)")
     with warnings_told(not options.quiet):
         progress = runs.run(
-            domain, bias, chosen, output, options.evaluate_every, starts, report, until, until_return=least
+            domain, bias, chosen, output, options.evaluate_every, starts, report, until, until_return=least, jobs=jobs
         )
     if not options.quiet:
         print(f"written to {output}/: {', '.join(progress.written)}")

@@ -70,9 +70,12 @@ class Progress:
         return total(self.outcomes[-_RECENT:]) / max(len(self.outcomes[-_RECENT:]), 1)
 
 
-def sizes(policy: Policy) -> str:
-    """What a policy consists of, for people."""
-    return "  ".join(f"{name} {number:,}" for name, number in policy.sizes().items())
+def sizes(policy: Policy, point: Point | None = None) -> str:
+    """What a policy consists of, or did at a point, for people."""
+    numbers = policy.sizes()
+    if point:
+        numbers = {name: getattr(point, name) for name in numbers}
+    return "  ".join(f"{name} {number:,}" for name, number in numbers.items())
 
 
 def title(domain: Domain) -> str:
