@@ -22,7 +22,7 @@ from nppg.errors import NppgError
 from nppg.judging.evaluation import ExactEvaluator, evaluate, evaluate_exactly
 from nppg.learning.options import Options
 from nppg.learning.training import train
-from nppg.logic.subsumption import deciding_tests
+from nppg.logic.forms import Forms
 from nppg.policy.policy import Policy
 from nppg.rrl.options import TGOptions
 from nppg.rules.distill import distill
@@ -67,7 +67,7 @@ class Lists:
     def success(self, ordered: Sequence[Rule]) -> float:
         policy = Policy(self.policy.domain, self.policy.bias)
         roots = len(policy.bias.roots)
-        policy.add(from_rules(ordered, lambda query, literals: deciding_tests(query, literals, roots)))
+        policy.add(from_rules(ordered, Forms(roots).deciding_tests))
         return ExactEvaluator(policy, self.space).evaluate(greedy=True).success
 
 
