@@ -15,12 +15,11 @@ from nppg.experiments.progress import Point, Progress
 from nppg.judging.evaluation import Evaluation, ExactEvaluator, evaluate_both, spread
 from nppg.judging.memory import Memory
 from nppg.judging.space import Space
-from nppg.policy.beside import Beside, Gone
+from nppg.policy.beside import Beside, Gone, Others
 from nppg.policy.policy import Policy
 
 _PROBLEMS = 20  # at most so many are a point of the curve
 _CLASSES = 20_000  # state spaces up to this size are evaluated exactly between the trees
-_PATIENCE = 1.0  # seconds of drawing points after which other processes are started
 _LAST = 3.0  # seconds for what is under way when the run ends by force
 
 Both = tuple[Evaluation, Evaluation]
@@ -68,10 +67,8 @@ class Points:
         problems = list(spread(policy.domain.chosen, _PROBLEMS)) if starts is None else []
         self._sampled = Sampled(policy, starts or len(problems), options.seed, options.horizon_factor, problems)
         alone = self._exact or type(policy) is not Policy or policy.domain.environment
-        self._others = 0 if alone else jobs - 1
-        self._processes: list[Beside] = []
+        self._others = Others(self._sampled, 0 if alone else jobs - 1)
         self._due: list[_Due] = []
-        self._seconds = 0.0  # that have gone by while points were drawn here
 
     def draw(self, progress: Progress) -> None:
         """Has the policy evaluated as it is now."""
@@ -80,7 +77,7 @@ class Points:
         if due.beside is None:
             begin = time.perf_counter()
             due.found = self._here(progress)
-            self._seconds += time.perf_counter() - begin
+            self._others.worked(time.perf_counter() - begin)
 
     def _here(self, progress: Progress) -> Both:
         if self._exact is None:
@@ -91,24 +88,7 @@ class Points:
 
     def _asked(self) -> Beside | None:
         """A process that has begun to evaluate the policy, if one is free."""
-        if not self._processes and self._others and self._seconds > _PATIENCE:
-            self._processes = [Beside(self._sampled) for _ in range(self._others)]
-        busy = [due.beside for due in self._due]
-        for each in self._processes:
-            try:
-                if each not in busy and each.free:
-                    each.ask()
-                    return each
-            except Gone:
-                self._lost(each)
-                return self._asked()
-        return None
-
-    def _lost(self, process: Beside) -> None:
-        """There is to be none in its place."""
-        process.close()
-        self._processes = [each for each in self._processes if each is not process]
-        self._others = len(self._processes)
+        return next((each for each in self._others.free() if self._others.asked(each)), None)
 
     def drawn(self, wait: bool = False) -> Iterator[Point]:
         """Those that have been drawn since, in order; all of them, if it is to `wait`."""
@@ -120,7 +100,7 @@ class Points:
                         return
                     due.found = due.beside.answer()
                 except Gone:
-                    self._lost(due.beside)
+                    self._others.lost(due.beside)
                     due.found = self._sampled.of_first(due.trees)
             assert due.found
             self._due.pop(0)
@@ -140,8 +120,7 @@ class Points:
 
     def close(self) -> None:
         """Ends the other processes."""
-        for each in self._processes:
-            each.close()
+        self._others.close()
 
 
 def is_due(progress: Progress, episodes: int, every: int) -> bool:

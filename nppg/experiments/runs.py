@@ -69,7 +69,7 @@ def run(
     at_once = until_success is not None or until_return is not None
     try:
         clock = time.perf_counter()
-        for iteration in train(domain, bias, options):
+        for iteration in train(domain, bias, options, jobs):
             progress = progress or Progress(iteration.policy, options, judging)
             _advance(progress, iteration, time.perf_counter() - clock)
             if is_due(progress, len(iteration.recent), evaluate_every):

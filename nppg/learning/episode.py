@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -11,10 +11,8 @@ from typing import Protocol
 
 import numpy as np
 
-from nppg.errors import NppgError, Problem
 from nppg.learning.gradient import total
-from nppg.learning.options import Common
-from nppg.policy.policy import Policy, Scores, choose, choose_best
+from nppg.policy.policy import Scores, choose, choose_best
 from nppg.worlds.state import interpretation_of
 from nppg.worlds.world import Action, State, World
 
@@ -172,16 +170,3 @@ def _leading_on(
             chosen = int(left[choose_best(own, rng)])
         else:
             chosen = int(left[choose(own / own.sum() if own.sum() > 0 else np.full(len(own), 1 / len(own)), rng)])
-
-
-def training_episodes(policy: Policy, rng: np.random.Generator, options: Common) -> Iterator[Episode]:
-    """The episodes of a training run, each by the policy as it is by then. Raises NppgError where no episode takes a
-    step any more."""
-    idle = 0
-    for _ in range(options.episodes):
-        episode = generate_episode(policy, rng, options.guidance, options.horizon_factor, learning=True)
-        idle = 0 if episode.steps else idle + 1
-        if idle == IDLE:
-            message = f"{idle} episodes took no step: their starts were goal or terminal states, or the horizon 0"
-            raise NppgError([Problem(str(policy.domain.path), 0, 0, message)])
-        yield episode

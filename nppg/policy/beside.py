@@ -23,6 +23,7 @@ from nppg.logic.query import Query
 from nppg.policy.policy import Policy
 from nppg.trees.tree import Tree
 
+_PATIENCE = 1.0  # seconds of work in this process after which others are started
 _TICK = 0.1  # seconds between two looks for Ctrl-C
 
 
@@ -104,6 +105,53 @@ class Beside:
             raise Gone
         self._answered = True
         return value
+
+
+class Others:
+    """Up to `count` processes for a servant's work. They are started once this one has worked for long enough to make
+    it worth while; none is started in the place of one that has failed."""
+
+    def __init__(self, servant: Servant, count: int):
+        self.count = count
+        self._servant = servant
+        self._processes: list[Beside] = []
+        self._seconds = 0.0
+
+    def worked(self, seconds: float) -> None:
+        """Notes that this process has."""
+        self._seconds += seconds
+        if self._seconds > _PATIENCE and len(self._processes) < self.count:
+            self._processes = [Beside(self._servant) for _ in range(self.count)]
+
+    def free(self) -> list[Beside]:
+        """Those that can be asked."""
+        found = []
+        for each in list(self._processes):
+            try:
+                found += [each] if each.free else []
+            except Gone:
+                self.lost(each)
+        return found
+
+    def asked(self, process: Beside, *args: Any) -> bool:
+        """Whether a free process has been asked, and not failed."""
+        try:
+            process.ask(*args)
+        except Gone:
+            self.lost(process)
+            return False
+        return True
+
+    def lost(self, process: Beside) -> None:
+        """Notes that it has failed."""
+        process.close()
+        self._processes = [each for each in self._processes if each is not process]
+        self.count = len(self._processes)
+
+    def close(self) -> None:
+        """Ends them."""
+        for each in self._processes:
+            each.close()
 
 
 @contextmanager
