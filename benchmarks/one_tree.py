@@ -7,13 +7,15 @@ noise of 0.1 is added.
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from statistics import median
 
 import numpy as np
 
-from benchmarks.common import Row, timed
+from benchmarks.common import Row, peak, timed
 from nppg import Domain, LanguageBias
 from nppg.answers.coverage import Coverage, root_table
 from nppg.answers.table import TestTable
@@ -21,14 +23,18 @@ from nppg.bias.refinement import Refiner
 from nppg.trees.tilde import Example, fit
 from nppg.trees.tree import Leaf, Tree
 
-LIMITS = {130: 0.03, 1000: 0.5, 5000: 2.0, 20_000: 10.0}  # examples: seconds
+LIMITS = {130: 0.03, 1000: 0.1, 5000: 0.3, 20_000: 1.0}  # examples: seconds
+MANY = 100_000
+LINEAR = 1.5  # times as long for each example as with the most of LIMITS
+MEGABYTES = 1000
+BIAS = Path(__file__).with_name("one_tree.yaml")
 HELD_OUT = 2000
 RMSE = 0.105  # at 1000 examples
 
 
 def rows() -> Iterator[Row]:
     domain = Domain("blocks_world")
-    bias = LanguageBias.load(Path(__file__).with_name("one_tree.yaml"))
+    bias = LanguageBias.load(BIAS)
     examples = data_set(domain, max(LIMITS) + HELD_OUT, np.random.default_rng(0))
     held_out = examples[-HELD_OUT:]
     for count, limit in LIMITS.items():
@@ -44,6 +50,16 @@ def rows() -> Iterator[Row]:
             bounds,
             seconds <= limit and (count != 1000 or error <= RMSE),
         )
+    run = subprocess.run([sys.executable, "-m", __name__], check=True, capture_output=True, text=True)
+    least, most, kilobytes = map(float, run.stdout.split())
+    growth, megabytes = most / MANY / (least / max(LIMITS)), kilobytes / 1024
+    yield Row(
+        f"one tree of depth 4 from {MANY} examples, in a fresh process",
+        f"{most:.3g} s, peak memory {megabytes:.0f} MB",
+        f"{growth:.2f} times the time for each example of {max(LIMITS)} ({least:.3g} s)",
+        f"<= {LINEAR:g} times, <= {MEGABYTES} MB",
+        growth <= LINEAR and megabytes <= MEGABYTES,
+    )
 
 
 def data_set(domain: Domain, size: int, rng: np.random.Generator) -> list[Example]:
@@ -103,3 +119,16 @@ def _floor(train: list[Example], held_out: list[Example], domain: Domain, bias: 
     spent = median(timed(lambda: model.fit(columns, targets))[0] for _ in range(5))
     error = rmse(model.predict(other), held_out)
     return f"{seconds / spent:.0f} times scikit-learn on {len(table)} ready columns ({spent:.2g} s, RMSE {error:.4f})"
+
+
+def _many() -> None:
+    """Prints the seconds of the most of LIMITS and of MANY examples, and the peak memory in KiB."""
+    domain, bias = Domain("blocks_world"), LanguageBias.load(BIAS)
+    examples = data_set(domain, MANY, np.random.default_rng(0))
+    for count in (max(LIMITS), MANY):
+        print(timed(lambda count=count: fit(examples[:count], domain, bias))[0])
+    print(peak())
+
+
+if __name__ == "__main__":
+    _many()

@@ -21,7 +21,7 @@ from nppg.worlds.world import Action, State
 SIZES = (100, 500, 2000)
 STATES = 2000
 CLAUSES = 20  # states for which the clauses are summed, too
-WANTED = 10_000
+WANTED = 60_000
 
 
 def rows() -> Iterator[Row]:
@@ -49,8 +49,8 @@ def rows() -> Iterator[Row]:
             f"potentials, {size} trees, {pairs} pairs of {STATES} states",
             f"{pairs / cold:,.0f} pairs/s cold, {pairs / warm:,.0f} warm",
             f"{one_by_one * pairs / cold:.0f} times clause by clause ({1 / one_by_one:,.0f} pairs/s){growth}",
-            f">= {WANTED:,} pairs/s" if size >= 500 else "",
-            pairs / cold >= WANTED if size >= 500 else None,
+            f">= {WANTED:,} pairs/s" if size == 500 else "",
+            pairs / cold >= WANTED if size == 500 else None,
         )
 
 

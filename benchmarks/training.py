@@ -16,7 +16,7 @@ from nppg.bridge.files import locate
 from nppg.learning.options import Common
 
 SEEDS = range(3)
-TIMES = 12
+TIMES = 4.5
 MEGABYTES = 300
 
 

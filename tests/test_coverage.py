@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from random import Random
 
 import janus_swi
@@ -17,6 +18,7 @@ from nppg.bias.refinement import KIND, Refinement, Refiner
 from nppg.errors import NppgError
 from nppg.logic.query import Literal, Query, Var
 from nppg.worlds.domain import Domain
+from nppg.worlds.state import Interpretation
 from nppg.worlds.world import Action, State
 
 
@@ -58,6 +60,56 @@ def test_the_table_answers_its_tests(setting) -> None:
     for state in visited(domain, 12):
         actions = domain.situation(state).actions
         assert (table.answers(state, actions) == truth(table.tests, bias, state, actions)).all()
+
+
+def test_many_states_at_once(setting, monkeypatch: pytest.MonkeyPatch) -> None:
+    domain, _, refiner, table = setting
+    random = Random(1)
+    table.add(each.test for each in refiner.refinements(random_query(refiner, 2, random))[-12:])
+    some = [(state, list(domain.situation(state).actions)) for state in visited(domain, 12)]
+    asked = [(state, random.sample(actions, random.randint(1, len(actions)))) for state, actions in 2 * some]
+    random.shuffle(asked)
+    asked[3] = (tuple(asked[3][0]), asked[3][1])
+    expected = np.concatenate([table.answers(state, actions) for state, actions in asked])
+    for size in (10_000, 50):
+        monkeypatch.setattr("nppg.answers.table._AT_ONCE", size)
+        assert (table.answers_in(asked) == expected).all()
+        assert (table.answers(*asked[-1]) == expected[-len(asked[-1][1]) :]).all(), "the last state is the current one"
+    assert table.answers_in([]).shape == (0, len(table))
+
+
+def test_answers_that_come_along_are_those_that_are_asked_for(setting) -> None:
+    domain, bias, refiner, table = setting
+    alone = TestTable(Domain(domain.path, domain.parameters), bias)
+    alone.add(table.tests)
+    rng, tried = np.random.default_rng(4), 0
+    while tried < 30:
+        state = domain.start(rng)
+        for step in range(4):
+            actions = domain.situation(state).actions
+            if not actions:
+                break
+            tried += 1
+            if step == 2:  # others than in the state before
+                extra = [each.test for each in refiner.refinements(random_query(refiner, 1, Random(tried)))[-3:]]
+                table.add(extra)
+                alone.add(extra)
+            some = actions if tried % 3 else actions[::2]
+            assert (table.answers(state, some) == alone.answers(state, list(some))).all()
+            state = domain.act(state, actions[int(rng.random() * len(actions))], rng, lean=step == 3)[1]
+
+
+def test_numbers_that_python_takes_for_equal_are_facts_apart(tmp_path: Path) -> None:
+    (tmp_path / "row.pl").write_text(
+        ":- module(row, []).\n:- fluent at/1.\nstart([at(1)]).\naction(go).\neffect(_, [], []).\ngoal :- fail.\n"
+        "whole :- at(X), integer(X).\n"
+    )
+    (tmp_path / "row.yaml").write_text("action: [go]\ntypes: {whole: []}\nmodes: [whole]\n")
+    domain, bias = Domain(tmp_path / "row.pl"), LanguageBias.load(tmp_path / "row.yaml")
+    table = root_table(domain, bias, Refiner(bias))
+    states = [Interpretation([("at", number)]) for number in (1, 1.0, 2, 1.0, 1)]
+    answers = table.answers_in([(state, ["go"]) for state in states])
+    assert answers[:, 0].tolist() == [True, False, True, False, True]
 
 
 def test_actions_in_any_order_and_number(setting) -> None:

@@ -9,7 +9,7 @@ has bounds, all answers are the numbers that decide tests, which hold where the 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 import numpy as np
 
@@ -24,7 +24,7 @@ from nppg.worlds.domain import Domain
 from nppg.worlds.legal import LegalActions
 from nppg.worlds.world import Action, State
 
-_STATES = 200  # that are handed over at once
+_AT_ONCE = 10_000  # facts and actions that are handed over in one question
 _MEMORY = 10_000  # lists of candidates whose columns are remembered
 
 
@@ -95,6 +95,16 @@ def _again(kind: type[Table], domain: Domain, bias: LanguageBias, tests: Sequenc
     return table
 
 
+def _parts(pairs: Sequence[tuple[State, Sequence[Action]]]) -> Iterator[Sequence[tuple[State, Sequence[Action]]]]:
+    """The pairs in parts of the size of a question."""
+    first = size = 0
+    for i, (state, actions) in enumerate(pairs):
+        size += len(state) + len(actions)
+        if size > _AT_ONCE or i + 1 == len(pairs):
+            yield pairs[first : i + 1]
+            first, size = i + 1, 0
+
+
 class TestTable(Table):
     """Tests that are compiled into Prolog clauses."""
 
@@ -115,6 +125,8 @@ class TestTable(Table):
         ask("tests", self.name, *self._words.add(tests, self.bounds if self.numeric else None, len(self)))
 
     def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
+        if not self.tests:
+            return np.empty((len(actions), 0), float if self.numeric else bool)
         try:
             return self._asked(state, actions)
         except NppgError as error:
@@ -122,15 +134,14 @@ class TestTable(Table):
             raise self.located(error, bounded, [(state, actions)]) from None
 
     def answers_in(self, pairs: Sequence[tuple[State, Sequence[Action]]]) -> np.ndarray:
-        """Many states at a time, of which what they differ in is handed over. Where that goes wrong they are asked one by
-        one, to tell which state it is."""
+        """Many states at a time, of which what they differ in is handed over. Where that goes wrong they are asked one
+        by one, to tell which state it is."""
         rows = []
-        for i in range(0, len(pairs), _STATES):
+        for some in _parts(pairs):
             try:
-                kinds, words = self.domain.loaded.answers_in(self.name, pairs[i : i + _STATES])
-                rows.append(self._rows(kinds, words))
+                rows.append(self._rows(*self.domain.loaded.answers_in(self.name, some)))
             except NppgError:
-                rows.append(super().answers_in(pairs[i : i + _STATES]))
+                rows.append(super().answers_in(some))
         return np.concatenate(rows) if rows else super().answers_in(pairs)
 
     def located(

@@ -1,8 +1,8 @@
 """Which words of tests a table asks about which arguments of an action, and where each test's answer stands.
 
-Tests that ask the same, `clear(X)` and `clear(Y)` of `move(X, Y)`, are one *form*, of the arguments that they are about.
-Forms that are asked of the same places, here the first and the second argument, share words: each word is asked once in
-a state for every choice of arguments. See prolog/table.pl.
+Tests that ask the same, `clear(X)` and `clear(Y)` of `move(X, Y)`, are one *form*, of the arguments that they are
+about. Forms that are asked of the same places, here the first and the second argument, share words: each word is asked
+once in a state for every choice of arguments. See prolog/table.pl.
 """
 
 from __future__ import annotations
@@ -34,6 +34,9 @@ class Form(NamedTuple):
     def is_bound(self) -> bool:
         """Whether its answer is a number, which takes a word of its own."""
         return any(map(is_open, self.query))
+
+
+Asked = tuple[Form, tuple[int, ...]]  # of arguments of an action, by their positions
 
 
 class Words:
@@ -70,7 +73,7 @@ class Words:
         new = [[key, word[0].arity, _data(word)] for word, key in self._keys.items() if word not in old]
         asked: list[list] = [[] for _ in self.kinds]
         for number, kind in enumerate(self.kinds):
-            stands: dict[tuple[Form, tuple[int, ...]], tuple[int, int]] = {}
+            stands: dict[Asked, tuple[int, int]] = {}
             for places, own in self._words.items():
                 for positions in (positions for each, positions in places if each == number):
                     alone = len(places) == 1 and len(positions) == len(self._bias.actions[number].types) > 0
@@ -91,7 +94,7 @@ class Words:
             self._forms.setdefault(tuple(new), []).append(form)
             self._words.pop(tuple(new), None)
 
-    def _form(self, test: Query, kind: int) -> tuple[Form, tuple[int, ...]] | None:
+    def _form(self, test: Query, kind: int) -> Asked | None:
         """What a test asks, and of which arguments of an action of this kind; None if it is about another kind's, so
         that it never holds."""
         first, end = self._bias.offsets[kind : kind + 2]
@@ -112,7 +115,7 @@ class _Kind:
     """Where the answers about actions of one kind stand."""
 
     def __init__(self) -> None:
-        self.columns: dict[int, tuple[Form, tuple[int, ...]]] = {}  # what a column asks, of which arguments
+        self.columns: dict[int, Asked] = {}
         self.always: list[int] = []
         self.words = 0
         self._places: np.ndarray = np.empty(0, np.intp)  # of each column's bit; that of none is never set
@@ -121,7 +124,7 @@ class _Kind:
         self._limitless: np.ndarray | None = None  # answers where nothing holds, if they are numbers
 
     def update(
-        self, stands: dict[tuple[Form, tuple[int, ...]], tuple[int, int]], words: int, size: int, bounds: Sequence[int] | None
+        self, stands: dict[Asked, tuple[int, int]], words: int, size: int, bounds: Sequence[int] | None
     ) -> None:
         """`stands` has the word and the bit of what is asked."""
         self._places = np.full(size, WORD)

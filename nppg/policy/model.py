@@ -32,9 +32,12 @@ class Writable(Protocol):
 
     domain: Domain
     bias: LanguageBias
-    name: str  # of its clauses in Prolog
     trees: list[Tree]
     comments: list[str]
+
+    @property
+    def name(self) -> str:
+        """Of its clauses in Prolog."""
 
     def stored(self) -> tuple[Writable, list[tuple]]: ...
 

@@ -103,8 +103,8 @@ class Loaded:
         self.current = state
 
     def act(self, before: Interpretation, action: Ground, lean: bool) -> tuple[float, Interpretation]:
-        """The reward for an action in the current state `before`, and the state that it leads to, which becomes current.
-        That state's situation is brought along, and what the table answers that was asked before."""
+        """The reward for an action in the current state `before`, and the state that it leads to, which becomes the
+        current one. Its situation is brought along, and what the table answers that was asked before."""
         self.forget()
         table, self._table = self._table, ""
         reward, gone, new, self.situation, answers = ask("act", self.module, lean, table, action)
@@ -126,11 +126,12 @@ class Loaded:
         states = [self.interpreted(state) for state, _ in pairs]
         given = [plain(actions) for _, actions in pairs]
         facts = FactNumbers()
-        asked, before = [], facts.of(states[0])
+        asked, before = [], frozenset(facts.of(states[0]))
         for state, actions in zip(states, given, strict=True):
-            now = facts.of(state)
-            gone, new = [each for each in before if each not in now], [each for each in now if each not in before]
-            asked.append([self.number(state.static), gone, new, actions])
+            own = facts.of(state)
+            now = frozenset(own)
+            new = [each for each in own if each not in before]
+            asked.append([self.number(state.static), [*(before - now)], new, actions])
             before = now
         self.visit(states[0])
         self.forget()

@@ -166,20 +166,21 @@ class FactNumbers:
         self.facts: list[Ground] = []
         self._numbers: dict[object, int] = {}
 
-    def of(self, state: Interpretation) -> dict[int, None]:
+    def of(self, state: Interpretation) -> list[int]:
         """The numbers of a state's facts, in order."""
         facts = state.facts
         keys: Sequence[object] = facts
         if {*map(type, chain.from_iterable(facts))} != {str}:  # type: ignore[arg-type]
             keys = [*map(exact, facts)]  # to Python 1 is equal to 1.0
-        found: dict[int, None] = {}
+        try:
+            return [*map(self._numbers.__getitem__, keys)]
+        except KeyError:
+            pass
         for key, fact in zip(keys, facts, strict=True):
-            number = self._numbers.get(key)
-            if number is None:
+            if key not in self._numbers:
                 self.facts.append(fact)
-                number = self._numbers[key] = len(self.facts)
-            found[number] = None
-        return found
+                self._numbers[key] = len(self.facts)
+        return [*map(self._numbers.__getitem__, keys)]
 
 
 def _mixed(fact: Ground) -> int:
