@@ -44,7 +44,12 @@ cost(From, To, Load, Cost) :-
     parameter(load_limit, Limit),
     Cost is abs(X - Y) * (1 + Load / Limit).
 
-load(Load) :- aggregate_all(sum(Weight), ( carried(Rock), weight(Rock, Weight) ), Load).
+% Sums of reals depend on their order in the last digit: sorted, they are a matter of the state alone.
+
+load(Load) :-
+    findall(Weight, ( carried(Rock), weight(Rock, Weight) ), Weights),
+    msort(Weights, Sorted),
+    sum_list(Sorted, Load).
 
 % spare(Rock, Spare): what the load limit leaves if the rock is taken, too; below 0 it does not fit.
 
@@ -100,7 +105,7 @@ expert(Action)     :- \+ ( at(base), carried(_) ), \+ action(charge), errand(Act
 
 errand(Action) :-
     findall(Distance-Rock, ( fetchable(Rock), distance(Rock, Distance) ), Rocks),
-    (   keysort(Rocks, [_-Rock|_])              -> towards(Rock, Action)
+    (   msort(Rocks, [_-Rock|_])                -> towards(Rock, Action)
     ;   carried(_), reserve(base, R), R > 0     -> Action = go(base)
     ;   at(charger)                             -> Action = go(base)
     ;   Action = go(charger)

@@ -123,7 +123,7 @@ def test_runs_that_end_early_keep_their_last_value(tmp_path: Path, capsys: pytes
         (["--seeds", "0-2", "--seed", "1"], "--seed is for one run, --seeds for several: give one of them"),
         (["--seeds", "0", "--jobs", "0"], "jobs must be at least 1, not 0"),
         (["--seeds", "0", "--jobs", "1", "--cluster", "tcp://a:1"], "give one of --jobs and --cluster"),
-        (["--cluster", "tcp://a:1"], "--jobs and --cluster are for several runs: give --seeds"),
+        (["--cluster", "tcp://a:1"], "--cluster is for several runs: give --seeds"),
         (["--seeds", "0-1", "--until-success", "2"], "until-success must be from 0 to 1"),
     ],
 )

@@ -12,11 +12,16 @@ from nppg.experiments.many import Pool, Processes, available_cores
 from nppg.learning.options import at_least
 
 
-def add_pool(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
-    """Where the runs are done."""
-    parser.add_argument("--jobs", type=int, metavar="N", help="runs at a time (default: the cores there are)")
+def add_pool(
+    parser: argparse.ArgumentParser | argparse._ArgumentGroup,
+    jobs: str = "runs at a time (default: the cores there are)",
+) -> None:
+    """Where the runs are done; `jobs` is what the help says of --jobs."""
+    parser.add_argument("--jobs", type=int, metavar="N", help=jobs)
     parser.add_argument(
-        "--cluster", metavar="ADDRESS", help="do the runs on the workers of a dask.distributed scheduler, tcp://HOST:PORT"
+        "--cluster",
+        metavar="ADDRESS",
+        help="do the runs on the workers of a dask.distributed scheduler, tcp://HOST:PORT",
     )
 
 

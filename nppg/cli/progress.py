@@ -32,7 +32,7 @@ def reporter(options: Common) -> Callable[[Progress], None]:
         elif point is not None:
             stochastic, greedy = progress.judged(point)
             print(
-                f"episode {point.episode:5d}  {sizes(progress.policy)}  {progress.measure} {stochastic:.4f} "
+                f"episode {point.episode:5d}  {sizes(progress.policy, point)}  {progress.measure} {stochastic:.4f} "
                 f"(greedy {greedy:.4f})  {_returns(progress, point)}{point.seconds:.1f} s",
                 flush=True,
             )

@@ -15,6 +15,7 @@ from nppg.errors import NppgError
 from nppg.experiments import runs, seeds
 from nppg.experiments.jobs import Job, packed
 from nppg.experiments.learners import LEARNERS, LIMITS, learner_of, options_of
+from nppg.experiments.many import available_cores
 from nppg.learning.options import at_least
 from nppg.worlds.problems import numbers_of
 
@@ -61,7 +62,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="a run with each of these seeds, 0-9 or 0,3,7, in a folder of its own, and one curve; finished runs that "
         "the folder has are not done again",
     )
-    jobs.add_pool(many)
+    jobs.add_pool(
+        many,
+        "runs at a time (default: the cores there are); without --seeds, processes that work at the run, with "
+        "the same result (default: 2, where there are as many cores)",
+    )
     add_training_options(parser, learned)
 
 
@@ -90,12 +95,22 @@ def run(options: argparse.Namespace) -> int:
     if options.seeds is not None:
         judging = runs.judging_of(domain, options.evaluate_every, starts, until, least)
         return _with_seeds(options, Job(packed(domain, bias), chosen, judging, output))
-    if options.jobs is not None or options.cluster is not None:  # here --jobs will be passed to the one run
-        raise NppgError("--jobs and --cluster are for several runs: give --seeds")
+    if options.cluster is not None:
+        raise NppgError("--cluster is for several runs: give --seeds")
+    processes = min(2, available_cores()) if options.jobs is None else at_least("jobs", options.jobs, 1)
     report = (lambda progress: None) if options.quiet else reporter(chosen)
     with warnings_told(not options.quiet):
         progress = runs.run(
-            domain, bias, chosen, output, options.evaluate_every, starts, report, until, until_return=least
+            domain,
+            bias,
+            chosen,
+            output,
+            options.evaluate_every,
+            starts,
+            report,
+            until,
+            until_return=least,
+            jobs=processes,
         )
     if not options.quiet:
         print(f"written to {output}/: {', '.join(progress.written)}")

@@ -84,9 +84,12 @@ def measured(domain: Domain, judging: Judging) -> str:
     return "success" if domain.has_goal and judging["until_return"] is None else "return"
 
 
-def sizes(policy: Policy) -> str:
-    """What a policy consists of, for people."""
-    return "  ".join(f"{name} {number:,}" for name, number in policy.sizes().items())
+def sizes(policy: Policy, point: Point | None = None) -> str:
+    """What a policy consists of, or did at a point, for people."""
+    numbers = policy.sizes()
+    if point:
+        numbers = {name: getattr(point, name) for name in numbers}
+    return "  ".join(f"{name} {number:,}" for name, number in numbers.items())
 
 
 def title(domain: Domain) -> str:

@@ -5,24 +5,20 @@ from __future__ import annotations
 import tempfile
 import time
 from collections.abc import Callable
-from functools import lru_cache
 from pathlib import Path
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.plain import alone
 from nppg.errors import NppgError, Problem
 from nppg.experiments.learners import options_of
+from nppg.experiments.points import Points, is_due
 from nppg.experiments.progress import Judging, Point, Progress
 from nppg.experiments.run_files import any_reached, in_the_way, write_files
 from nppg.experiments.train import train
-from nppg.judging.evaluation import Evaluation, ExactEvaluator, evaluate, spread
 from nppg.judging.space import Space
 from nppg.learning.options import Common
 from nppg.learning.training import Iteration
 from nppg.worlds.domain import Domain
-
-_PROBLEMS = 20  # at most so many are a point of the curve
-_CLASSES = 20_000  # state spaces up to this size are evaluated exactly between the trees
 
 
 def run(
@@ -36,18 +32,21 @@ def run(
     until_success: float | None = None,
     space: Space | None = None,
     until_return: float | None = None,
+    jobs: int = 1,
 ) -> Progress:
     """Trains and writes the files into the folder `output`; `options` are by default, None, those of the bias.
 
     Every `evaluate_every` episodes (0: never; by default 50, and 200 where the domain's starts are drawn from problems)
     the policy is evaluated: exactly where the domain allows it and has few classes of states; on some of the problems,
     20 at most, each once; else on `starts` sampled starts, by default 1000, which are drawn in place of problems, too,
-    where they are given. With `until_success` or `until_return` the run ends at the
-    first such point where the stochastic policy reaches it; for a return all points are sampled. `space` is the
-    domain's, where the caller has it already. On KeyboardInterrupt the files are written for what has been learned,
-    then it is raised again; after a mistake of the domain they are written as far as there was none before, so that
-    nothing is lost and nothing overwritten. Raises NppgError, before it starts, where a file that no run wrote stands
-    in the way of a copy of the domain or the bias.
+    where they are given. With `until_success` or `until_return` the run ends at the first such point where the
+    stochastic policy reaches it; for a return all points are sampled. `space` is the domain's, where the caller has it
+    already. Up to `jobs` processes work at the run, with the same numbers: sampled points may then be drawn while
+    training goes on, and come later, in order.
+
+    On KeyboardInterrupt the files are written for what has been learned, then it is raised again; after a mistake of
+    the domain they are written as far as there was none before, so that nothing is lost and nothing overwritten. Raises
+    NppgError, before it starts, where a file that no run wrote stands in the way of a copy of the domain or the bias.
     """
     options = options_of(bias) if options is None else options
     judging = judging_of(domain, evaluate_every, starts, until_success, until_return)
@@ -58,18 +57,24 @@ def run(
         raise NppgError(problems)
     make_folder(output)
     progress: Progress | None = None
+    points: Points | None = None
+    at_once = until_success is not None or until_return is not None
     try:
         clock = time.perf_counter()
-        judge: Callable[[], tuple[Evaluation, Evaluation]] | None = None
-        for iteration in train(domain, bias, options):
+        for iteration in train(domain, bias, options, jobs):
             progress = progress or Progress(iteration.policy, options, judging)
             _advance(progress, iteration, time.perf_counter() - clock)
-            if _is_due(progress, iteration, evaluate_every):
-                judge = judge or _judge(progress, starts, space)
-                progress.point = _point(progress, *judge())
-                progress.curve.append(progress.point)
+            if is_due(progress, len(iteration.recent), evaluate_every):
+                points = points or Points(progress, starts, space, 1 if at_once else jobs)
+                points.draw(progress)
+            ended = progress.episodes == options.episodes
+            for point in points.drawn(wait=ended) if points else ():
+                if progress.point:
+                    report(progress)
+                progress.point = point
+                progress.curve.append(point)
             reached = _reached(progress.point, until_success, until_return)
-            progress.ended = reached or progress.episodes == options.episodes
+            progress.ended = reached or ended
             report(progress)
             if reached:
                 break
@@ -78,8 +83,12 @@ def run(
     except BaseException as error:
         interrupted = isinstance(error, KeyboardInterrupt)
         if progress and (interrupted or not (output / "model.pl").exists()):
+            progress.curve.extend(points.rescued() if points else ())
             write_files(progress, bias, output)
         raise
+    finally:
+        if points:
+            points.close()
     assert progress is not None
     progress.written = write_files(progress, bias, output)
     return progress
@@ -123,58 +132,3 @@ def _advance(progress: Progress, iteration: Iteration, seconds: float) -> None:
         progress.outcomes += [episode.success for episode in iteration.recent]
     else:
         progress.outcomes += [episode.undiscounted for episode in iteration.recent]
-
-
-def _is_due(progress: Progress, iteration: Iteration, every: int) -> bool:
-    if every == 0:
-        return False
-    last = progress.episodes - len(iteration.recent)
-    at_end = progress.episodes == progress.options.episodes
-    return not progress.curve or last // every < progress.episodes // every or at_end
-
-
-def _judge(progress: Progress, starts: int | None, space: Space | None) -> Callable[[], tuple[Evaluation, Evaluation]]:
-    """How the run's policy is evaluated: the stochastic and the greedy one."""
-    policy, seed, factor = progress.policy, progress.options.seed, progress.options.horizon_factor
-    if policy.domain.is_countable and progress.measure == "success":
-        try:
-            exact = ExactEvaluator(policy, space or _space(policy.domain))
-        except NppgError:
-            pass
-        else:
-
-            def exactly() -> tuple[Evaluation, Evaluation]:
-                now = progress.evaluator = exact.snapshot()
-                return now.evaluate(False, factor), now.evaluate(True, factor)
-
-            return exactly
-    problems = spread(policy.domain.chosen, _PROBLEMS) if starts is None else []
-    count = starts or len(problems)
-    return lambda: (
-        evaluate(policy, count, seed, False, factor, problems),
-        evaluate(policy, count, seed, True, factor, problems),
-    )
-
-
-@lru_cache(1)
-def _space(domain: Domain) -> Space:
-    """What runs in one domain share."""
-    return Space(domain, _CLASSES)
-
-
-def _point(progress: Progress, stochastic: Evaluation, greedy: Evaluation) -> Point:
-    sizes = progress.policy.sizes()
-    return Point(
-        progress.episodes,
-        sizes.get("trees", 0),
-        stochastic.success,
-        round(progress.seconds, 3),
-        greedy.success,
-        stochastic.mean_steps,
-        progress.recent,
-        int(stochastic.exact),
-        sizes.get("leaves", 0),
-        sizes.get("instances", 0),
-        stochastic.mean_return,
-        greedy.mean_return,
-    )

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nppg.errors import NppgError
+from nppg.judging.memory import Memory, Remembering
 from nppg.judging.space import Space
 from nppg.learning.episode import generate_episode, longest
 from nppg.learning.gradient import total
@@ -46,14 +47,48 @@ def evaluate(
     problems: Sequence[int] = (),
 ) -> Evaluation:
     """Sampled: one episode from each of `starts` random start states, from a generator of its own; or, where they are
-    given, from each of these problems of the domain."""
+    given, from each of these problems of the domain. States that are met again are not asked about again."""
+    return _evaluated(policy, _remembering(policy, None), starts, seed, greedy, horizon_factor, problems)
+
+
+def evaluate_both(
+    policy: Policy,
+    starts: int,
+    seed: int,
+    horizon_factor: float = 1.0,
+    problems: Sequence[int] = (),
+    memory: Memory | None = None,
+) -> tuple[Evaluation, Evaluation]:
+    """The stochastic policy and the greedy one, each as `evaluate` has it; `memory` is what earlier evaluations of the
+    policy have left, whatever it has learned since."""
+    player = _remembering(policy, memory)
+    stochastic = _evaluated(policy, player, starts, seed, False, horizon_factor, problems)
+    if policy.greedy:
+        return stochastic, stochastic
+    return stochastic, _evaluated(policy, player, starts, seed, True, horizon_factor, problems)
+
+
+def _remembering(policy: Policy, memory: Memory | None) -> Remembering | None:
+    return Remembering(policy, memory or Memory(policy.domain)) if Memory.suits(policy.domain) else None
+
+
+def _evaluated(
+    policy: Policy,
+    remembering: Remembering | None,
+    starts: int,
+    seed: int,
+    greedy: bool,
+    horizon_factor: float,
+    problems: Sequence[int],
+) -> Evaluation:
     starts, seed = len(problems) or at_least("starts", starts, 1), at_least("seed", seed, 0)
     greedy = greedy or policy.greedy
+    player = policy if remembering is None or (greedy and policy.is_rules) else remembering
     rng = np.random.default_rng([seed, 0x6E707067])
     successes, steps, found = 0, 0, []
     for i in range(starts):
-        start = policy.domain.problem(problems[i]) if problems else None
-        episode = generate_episode(policy, rng, greedy=greedy, horizon_factor=horizon_factor, start=start, scored=False)
+        start = player.domain.problem(problems[i]) if problems else None
+        episode = generate_episode(player, rng, greedy=greedy, horizon_factor=horizon_factor, start=start, scored=False)
         successes += episode.success
         steps += len(episode.steps)
         found.append(episode.undiscounted)

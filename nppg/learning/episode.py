@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
+from typing import Protocol
 
 import numpy as np
 
-from nppg.errors import NppgError, Problem
 from nppg.learning.gradient import total
-from nppg.learning.options import Common
-from nppg.policy.policy import Policy, choose, choose_best
+from nppg.policy.policy import Scores, choose, choose_best
 from nppg.worlds.state import interpretation_of
 from nppg.worlds.world import Action, State, World
 
@@ -62,6 +61,23 @@ class Episode:
         return any(step.guided for step in self.steps)
 
 
+class Player(Protocol):
+    """Who acts in an episode: a Policy, or what stands for one."""
+
+    @property
+    def domain(self) -> World: ...
+
+    @property
+    def greedy(self) -> bool: ...
+
+    @property
+    def is_rules(self) -> bool: ...
+
+    def scores(self, state: State, actions: Sequence[Action]) -> Scores: ...
+
+    def prefer(self, state: State, rng: np.random.Generator) -> Action: ...
+
+
 @lru_cache
 def longest(horizon: int, factor: float) -> int:
     """The steps after which an episode ends: `factor` times the horizon, rounded up. A product that is whole but for
@@ -72,7 +88,7 @@ def longest(horizon: int, factor: float) -> int:
 
 
 def generate_episode(
-    policy: Policy,
+    policy: Player,
     rng: np.random.Generator,
     guidance: float = 0.0,
     horizon_factor: float = 1.0,
@@ -91,14 +107,14 @@ def generate_episode(
     acts: greedily, if it is to or does so wherever it does not learn. Raises NppgError where the domain's code is at
     fault.
     """
-    domain: World = policy.domain
+    domain = policy.domain
     greedy = greedy or (policy.greedy and not learning)
     guided = guidance > 0 and bool(rng.random() < guidance)
     state = domain.start(rng) if start is None else start
-    met = None if revisits else {policy.domain.interpreted(state).fingerprint}
+    met = None if revisits else {domain.interpreted(state).fingerprint}
     most = longest(domain.horizon(state), horizon_factor)
     steps: list[Step] = []
-    lean = greedy and revisits and not (scored or guided or learning or policy.domain.has_observation)
+    lean = greedy and revisits and not (scored or guided or learning or domain.has_observation)
     lean = lean and policy.is_rules
     status, actions = domain.situation(state, lean)
     while status == "running" and len(steps) < most:
@@ -110,9 +126,7 @@ def generate_episode(
         else:
             if learning and type(actions) is not list:
                 actions = list(actions)  # while they are at hand
-            answers = policy.answers(seen, actions)
-            potentials = policy.potentials_of(answers)
-            probabilities = policy.probabilities_of(potentials)
+            answers, potentials, probabilities = policy.scores(seen, actions)
             advice = [each for each in domain.expert_actions(state) if each in actions] if guided else []
         if advice:
             chosen = actions.index(advice[int(rng.random() * len(advice))])
@@ -156,16 +170,3 @@ def _leading_on(
             chosen = int(left[choose_best(own, rng)])
         else:
             chosen = int(left[choose(own / own.sum() if own.sum() > 0 else np.full(len(own), 1 / len(own)), rng)])
-
-
-def training_episodes(policy: Policy, rng: np.random.Generator, options: Common) -> Iterator[Episode]:
-    """The episodes of a training run, each by the policy as it is by then. Raises NppgError where no episode takes a
-    step any more."""
-    idle = 0
-    for _ in range(options.episodes):
-        episode = generate_episode(policy, rng, options.guidance, options.horizon_factor, learning=True)
-        idle = 0 if episode.steps else idle + 1
-        if idle == IDLE:
-            message = f"{idle} episodes took no step: their starts were goal or terminal states, or the horizon 0"
-            raise NppgError([Problem(str(policy.domain.path), 0, 0, message)])
-        yield episode

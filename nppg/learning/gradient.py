@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from functools import lru_cache
 
 import numpy as np
 
@@ -11,7 +13,12 @@ import numpy as np
 def total(numbers: Iterable[float]) -> float:
     """The sum of finite numbers as they are written in decimals, rounded once: ten times -0.1 and 1 are 0, which
     neither addition in binary nor math.fsum makes of them."""
-    return float(sum(map(Fraction, map(repr, map(float, numbers)))))
+    return float(sum(_written(number) * count for number, count in Counter(map(float, numbers)).items()))
+
+
+@lru_cache
+def _written(number: float) -> Fraction:
+    return Fraction(repr(number))
 
 
 def returns(rewards: Sequence[float], discount: float) -> np.ndarray:

@@ -11,11 +11,12 @@ import numpy as np
 from nppg.answers.table import Table, TestTable
 from nppg.bias.language_bias import LanguageBias
 from nppg.learning.critic import critic
-from nppg.learning.episode import Episode, Step, training_episodes
+from nppg.learning.episode import Episode, Step
 from nppg.learning.gradient import functional_gradient, taken_gradient
 from nppg.learning.line_search import step_size
 from nppg.learning.options import Options
 from nppg.learning.regressors import Examples, regressor
+from nppg.learning.rollouts import iterations_episodes, training_episodes
 from nppg.learning.visits import Visit, kept, normalised, revisited
 from nppg.policy.policy import Policy
 from nppg.trees.tilde import Newton, size_of
@@ -80,13 +81,13 @@ def wanted(trees: int, options: Options) -> float:
     return options.min_examples + options.min_examples * options.examples_growth * trees
 
 
-def train(domain: Domain, bias: LanguageBias, options: Options | None = None) -> Iterator[Iteration]:
-    """Yields after each tree, the first time before the first one. Raises NppgError.
+def train(domain: Domain, bias: LanguageBias, options: Options | None = None, jobs: int = 1) -> Iterator[Iteration]:
+    """Yields after each tree, the first time before the first one. Where there are several episodes to an iteration, up
+    to `jobs` processes play them, and nothing changes with their number. Raises NppgError.
 
     A policy asks what its trees test. It shares the learner's table, so that its steps have the answers that trees are
     grown from, unless that is large."""
     options = options or Options()
-    rng = np.random.default_rng(options.seed)
     learner, judge = regressor(domain, bias, options), critic(domain, bias, options)
     late = isinstance(learner.table, TestTable) and len(learner.table) > _LARGE and not options.replay
     policy = Policy(domain, bias, None if late else learner.table)
@@ -95,7 +96,11 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None) ->
     recent: list[Episode] = []
     gathered = 0
     yield Iteration(policy, 0, ())
-    for count, episode in enumerate(training_episodes(policy, rng, options), 1):
+    if options.episodes_per_iteration == 1:
+        episodes = training_episodes(policy, np.random.default_rng(options.seed), options)
+    else:
+        episodes = iterations_episodes(policy, options, jobs)
+    for count, episode in enumerate(episodes, 1):
         recent.append(episode)
         new = judge.visits(episode)
         gathered += sum(len(visit.step.actions[updated_actions(visit.step, options)]) for visit in kept(new, options))

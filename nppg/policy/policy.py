@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from importlib.metadata import entry_points
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -25,6 +25,15 @@ from nppg.trees.clauses import to_clause
 from nppg.trees.tree import Tree, leaves, mapped, rules, tests
 from nppg.worlds.domain import Domain
 from nppg.worlds.world import Action, State
+
+
+class Scores(NamedTuple):
+    """What a policy makes of a state's actions: the answers to its tests about them, shape (actions, tests), and their
+    potentials and probabilities, shape (actions,)."""
+
+    answers: np.ndarray
+    potentials: np.ndarray
+    probabilities: np.ndarray
 
 
 class Policy:
@@ -104,6 +113,15 @@ class Policy:
     def probabilities_of(self, potentials: np.ndarray) -> np.ndarray:
         """pi(s, a), with which it takes the actions of a state that have these potentials, shape (actions,)."""
         return gibbs(potentials)
+
+    def scores(self, state: State, actions: Sequence[Action]) -> Scores:
+        """All of these for a state's legal actions."""
+        return self.scored(self.answers(state, actions))
+
+    def scored(self, answers: np.ndarray) -> Scores:
+        """The same where the answers are known."""
+        potentials = self.potentials_of(answers)
+        return Scores(answers, potentials, self.probabilities_of(potentials))
 
     @property
     def is_rules(self) -> bool:

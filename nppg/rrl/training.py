@@ -7,7 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
-from nppg.learning.episode import Episode, training_episodes
+from nppg.learning.episode import Episode
+from nppg.learning.rollouts import training_episodes
 from nppg.learning.training import Iteration
 from nppg.rrl.options import QOptions
 from nppg.rrl.qfunction import Example, QFunction

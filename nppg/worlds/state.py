@@ -10,7 +10,7 @@ from bisect import bisect_left, insort
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain
 from typing import overload
-from weakref import WeakKeyDictionary
+from weakref import WeakKeyDictionary, WeakValueDictionary
 
 from nppg.bridge.terms import Ground, plain, texts
 from nppg.logic.query import exact
@@ -47,7 +47,7 @@ class Static:
         return hash(self.facts)
 
     def __reduce__(self) -> tuple:
-        return static_facts, (self.facts,)
+        return _static_again, (self.facts,)
 
 
 NOTHING = Static()
@@ -57,6 +57,14 @@ def static_facts(facts: Iterable[Ground]) -> Static:
     """Those of a problem, NOTHING where there are none."""
     own = tuple(facts)
     return Static(own) if own else NOTHING
+
+
+_read_again: WeakValueDictionary[object, Static] = WeakValueDictionary()
+
+
+def _static_again(facts: tuple[Ground, ...]) -> Static:
+    """Those that have been copied or pickled: the same object each time, which the domain files know already."""
+    return _read_again.setdefault(exact(facts), static_facts(facts)) if facts else NOTHING
 
 
 class Interpretation(Sequence[Ground]):

@@ -11,6 +11,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from nppg.bridge.terms import Ground
+from nppg.worlds.state import Interpretation
 
 State = Sequence[Ground]  # facts in Prolog's standard order: an Interpretation, or a tuple
 Action = Ground
@@ -35,6 +36,11 @@ class Outcome(NamedTuple):
 class World(Protocol):
     """What an episode needs of a domain, as Domain documents it: nppg.worlds.gym_domain has it from an environment of
     Gymnasium in place of a domain file's predicates."""
+
+    @property
+    def has_observation(self) -> bool: ...
+
+    def interpreted(self, state: State) -> Interpretation: ...
 
     def start(self, rng: np.random.Generator) -> State: ...
 
