@@ -83,10 +83,20 @@ def bias_of(tmp_path: Path) -> Callable[[str], LanguageBias]:
     return load
 
 
+@pytest.fixture(scope="session")
+def refiners(
+    plain_bias: LanguageBias, relational_bias: LanguageBias, delivery_bias: LanguageBias
+) -> dict[str, Refiner]:
+    """Shared, since a refiner remembers what it has computed."""
+    return {"plain": Refiner(plain_bias), "relational": Refiner(relational_bias), "delivery": Refiner(delivery_bias)}
+
+
 @pytest.fixture(params=["plain", "relational", "delivery"])
-def setting(request: pytest.FixtureRequest) -> tuple[Domain, LanguageBias, Refiner, TestTable]:
-    """A domain, a bias for it, and the refiner and the root table of that bias."""
+def setting(
+    request: pytest.FixtureRequest, refiners: dict[str, Refiner]
+) -> tuple[Domain, LanguageBias, Refiner, TestTable]:
+    """A domain, a bias for it, and the refiner and a root table of that bias."""
     domain = request.getfixturevalue("delivery" if request.param == "delivery" else "blocks")
     bias = request.getfixturevalue(f"{request.param}_bias")
-    refiner = Refiner(bias)
+    refiner = refiners[request.param]
     return domain, bias, refiner, root_table(domain, bias, refiner)
