@@ -71,6 +71,12 @@ def space() -> Space:
     return Space(Domain("blocks_world"))
 
 
+@pytest.fixture(scope="session")
+def four(four_blocks: Domain) -> Space:
+    """All states of the four-block world; to enumerate and check them takes longer than to judge a policy on them."""
+    return Space(four_blocks)
+
+
 @pytest.fixture
 def bias_of(tmp_path: Path) -> Callable[[str], LanguageBias]:
     """Reads a language bias from its text."""

@@ -12,6 +12,7 @@ import pytest
 from nppg.bias.language_bias import LanguageBias
 from nppg.cli.main import main
 from nppg.judging.evaluation import ExactEvaluator
+from nppg.judging.space import Space
 from nppg.policy.policy import Policy
 from nppg.rules.proof import prove
 from nppg.worlds.domain import Domain
@@ -71,9 +72,9 @@ def test_a_policy_that_can_fail_is_not_certified(
     assert slip != "1.0e-12" or 0 < 1 - proof.success < 1e-9
 
 
-def test_certain_is_certain(four_blocks: Domain, plain_bias: LanguageBias) -> None:
+def test_certain_is_certain(four_blocks: Domain, four: Space, plain_bias: LanguageBias) -> None:
     """Where probabilities can be trusted, the classes with certain success are those with probability 1."""
-    judge = ExactEvaluator(Policy(four_blocks, plain_bias))
+    judge = ExactEvaluator(Policy(four_blocks, plain_bias), four)
     for greedy in (False, True):
         success, _ = judge.by_class(greedy)
         assert np.array_equal(judge.certain(greedy), success > 1 - 1e-6)

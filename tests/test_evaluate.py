@@ -81,12 +81,12 @@ def success(moves_of: Callable[[tuple], tuple[str, list]], state: tuple, steps: 
 
 @pytest.mark.parametrize("greedy", [False, True])
 @pytest.mark.parametrize("factor", [0.6, 1.1, 1.25])
-def test_exact_evaluation_is_plain_enumeration(policy: Policy, greedy: bool, factor: float) -> None:
+def test_exact_evaluation_is_plain_enumeration(policy: Policy, four: Space, greedy: bool, factor: float) -> None:
     starts = all_starts(4)
     assert len(starts) == 60
     moves_of = cache(lambda state: moves(policy, state, greedy))  # each state is come by on many ways
     found = [success(moves_of, state, longest(policy.domain.horizon(state), factor)) for state in starts]
-    exact = evaluate_exactly(policy, greedy, factor)
+    exact = ExactEvaluator(policy, four).evaluate(greedy, factor)
     assert exact.success == pytest.approx(np.mean([each[0] for each in found]), rel=1e-12)
     assert exact.mean_steps == pytest.approx(np.mean([each[1] for each in found]), rel=1e-12)
     assert (exact.starts, exact.exact, exact.greedy) == (60, True, greedy)
@@ -171,7 +171,7 @@ def test_samples_are_reproduced_by_their_seed(policy: Policy) -> None:
     assert len({evaluate(policy, 50, seed=seed) for seed in range(4)}) == 4
 
 
-def test_evaluation_does_not_touch_training(four_blocks: Domain, plain_bias) -> None:
+def test_evaluation_does_not_touch_training(four_blocks: Domain, four: Space, plain_bias) -> None:
     def learned(look) -> list[list[str]]:
         for iteration in train(four_blocks, plain_bias, Options(episodes=40, seed=2)):
             policy = iteration.policy
@@ -180,7 +180,7 @@ def test_evaluation_does_not_touch_training(four_blocks: Domain, plain_bias) -> 
 
     def both(policy: Policy) -> None:
         evaluate(policy, 5, seed=2)
-        evaluate_exactly(policy, greedy=True)
+        ExactEvaluator(policy, four).evaluate(greedy=True)
 
     undisturbed = learned(lambda policy: None)
     assert len(undisturbed) >= 3 and learned(both) == undisturbed

@@ -37,9 +37,10 @@ def test_one_door(tmp_path: Path, learner: str, capsys: pytest.CaptureFixture) -
 
 
 @every_learner
-def test_it_yields_before_it_learns_and_after_the_last_episode(delivery: Domain, delivery_bias, learner: str) -> None:
+def test_it_yields_before_it_learns_and_after_the_last_episode(delivery_bias, learner: str) -> None:
     """With every episode once, and of several kinds of actions."""
-    iterations = list(train(delivery, delivery_bias, LEARNERS[learner](episodes=200, seed=3)))
+    domain = Domain("delivery", {"rooms": 3, "parcels": 2})
+    iterations = list(train(domain, delivery_bias, LEARNERS[learner](episodes=200, seed=3)))
     assert iterations[0].episodes == 0 and not iterations[0].recent
     played = 0
     for each in iterations:

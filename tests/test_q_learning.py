@@ -131,9 +131,10 @@ def test_value_functions_act_greedily_wherever_they_do_not_learn(learned: QFunct
     assert worse[False] == 0 < worse[True]
 
 
-def test_value_functions_are_evaluated_greedily(learned: QFunction) -> None:
-    assert evaluate_exactly(learned) == evaluate_exactly(learned, greedy=True)
-    assert evaluate_exactly(learned).greedy and evaluate(learned, 50) == evaluate(learned, 50, greedy=True)
+def test_value_functions_are_evaluated_greedily(learned: QFunction, four: Space) -> None:
+    judge = ExactEvaluator(learned, four)
+    assert judge.evaluate() == judge.evaluate(greedy=True)
+    assert judge.evaluate().greedy and evaluate(learned, 50) == evaluate(learned, 50, greedy=True)
 
 
 # On seeds 0 to 4 the successes are 0.80 to 0.97, 0.96 to 0.98 and 0.95 to 1.
