@@ -23,7 +23,7 @@ from nppg.judging.evaluation import ExactEvaluator, evaluate, evaluate_exactly
 from nppg.judging.space import Space
 from nppg.learning.options import Options
 from nppg.learning.training import train
-from nppg.logic.subsumption import deciding_tests
+from nppg.logic.forms import Forms
 from nppg.policy.policy import Policy
 from nppg.rrl.options import TGOptions
 from nppg.rules.distill import distill
@@ -72,7 +72,7 @@ class Lists:
     def success(self, ordered: Sequence[Rule]) -> float:
         policy = Policy(self.policy.domain, self.policy.bias)
         roots = len(policy.bias.roots)
-        policy.add(from_rules(ordered, lambda query, literals: deciding_tests(query, literals, roots)))
+        policy.add(from_rules(ordered, Forms(roots).deciding_tests))
         return greedy_success(policy, self.space)
 
 

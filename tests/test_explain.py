@@ -16,7 +16,7 @@ from nppg.bridge import home as prolog_home
 from nppg.cli.main import main
 from nppg.learning.options import Options
 from nppg.learning.training import train
-from nppg.logic.subsumption import deciding_tests
+from nppg.logic.forms import Forms
 from nppg.policy.policy import Policy
 from nppg.rules.explain import explained, sentences
 from nppg.trees.tree import Rule, from_rules
@@ -125,7 +125,7 @@ def test_the_sentences_order_the_actions_as_the_potential_does(setting, seed: in
     ordered.append(Rule((), float(random.randint(-3, 3))))
     roots = len(bias.roots)
     policy = Policy(domain, bias, table)
-    policy.add(from_rules(ordered, lambda query, literals: deciding_tests(query, literals, roots)))
+    policy.add(from_rules(ordered, Forms(roots).deciding_tests))
     said = sentences(policy, 1, bias)
     values = [float(line.split(", ")[-1].rstrip(").")) for line in (each.split(" :- ")[0] for each in policy.rules(1))]
     leads = [each.split(":")[0].lower().removeprefix("otherwise ") for each in said]

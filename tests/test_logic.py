@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from itertools import product
+from itertools import combinations, product
 from random import Random
 
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from samples import holds
 
+from nppg.logic.forms import Forms, Given
 from nppg.logic.query import (
     OPEN,
     Literal,
@@ -22,7 +23,7 @@ from nppg.logic.query import (
     tightened,
     variables,
 )
-from nppg.logic.subsumption import deciding_tests, normal_form, reduced, subsumes
+from nppg.logic.subsumption import normal_form, reduced, subsumes
 
 ROOTS = 2
 ROOT_TERMS = [Var(0), Var(1), "a", 3]
@@ -176,6 +177,43 @@ def test_the_order_of_literals_survives(query: Query) -> None:
         assert [literal.name for literal in found] == list(names)
 
 
+@given(st.lists(queries(), min_size=2, max_size=6))
+def test_keys_are_equal_where_normal_forms_are(several: list[Query]) -> None:
+    forms = Forms(ROOTS)
+    for left, right in combinations(several, 2):
+        one, other = forms.of(left), forms.of(right)
+        assert one is not None and other is not None and form(one.test) == form(left)
+        assert (one.key == other.key) == (form(left) == form(right)) == (one.test is other.test)
+
+
+@st.composite
+def extensions(draw: st.DrawFn) -> tuple[Query, Query]:
+    """A query, and what may extend it: literals that share the new variables of the first one, or an equality."""
+    query = draw(queries(most=5))
+    old, new = [*ROOT_TERMS, *existential(query)], [Var(5), Var(6)]
+    if draw(st.booleans()):
+        pair = draw(st.tuples(*[st.sampled_from(old)] * 2))
+        return query, (Literal("=", pair),)
+    first = draw(literals([*old, *new]))
+    further = draw(st.lists(literals([*old, *new]), max_size=2))
+    return query, (first, *(each for each in further if set(existential((first,))) & set(new) & set(each.variables())))
+
+
+@given(st.lists(extensions(), min_size=1, max_size=4))
+def test_an_extended_query_has_the_key_of_the_whole(several: list[tuple[Query, Query]]) -> None:
+    """What is remembered, and what is told from the parts alone, is what comes out for the query by itself."""
+    forms = Forms(ROOTS)
+    keys: dict[frozenset[int], frozenset[Literal]] = {}
+    for query, literals in several:
+        found, whole = Given(query, forms).extended(literals), normal_form(query + literals, ROOTS)
+        assert (found is None) == (whole is None)
+        if found and whole is not None:
+            prefix, of_part, key = found
+            assert form(of_part.test) == form(prefix + literals)
+            assert keys.setdefault(key, frozenset(whole)) == frozenset(whole)
+            assert forms.of(query + literals).key == key
+
+
 worlds = st.fixed_dictionaries(
     {name: st.sets(st.tuples(*[st.sampled_from(["a", "b", 3])] * arity)) for name, arity in SIGNATURE.items()}
 )
@@ -185,7 +223,7 @@ worlds = st.fixed_dictionaries(
 def test_deciding_tests_decide(query: Query, added: Query, world, roots) -> None:
     values = dict(zip((Var(0), Var(1)), roots, strict=True))
     assume(added and holds(query, 0, values, world))
-    tests = deciding_tests(query, added, ROOTS)
+    tests = Forms(ROOTS).deciding_tests(query, added)
     assert holds(query + added, 0, values, world) == all(holds(test, 0, values, world) for test in tests)
 
 
@@ -304,7 +342,7 @@ def test_deciding_tests_with_bounds_decide(query: Query, added: Query, world, va
     added = tuple(each for each in added if each.name != "=")
     assume(added and solutions(query, values, world) and normal_form(query, ROOTS) is not None)
     try:
-        tests = deciding_tests(query, added, ROOTS)
+        tests = Forms(ROOTS).deciding_tests(query, added)
     except ValueError:
         assert not solutions(query + added, values, world)
         return

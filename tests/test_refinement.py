@@ -101,10 +101,23 @@ def test_no_two_refinements_are_equivalent(refiner: Refiner, queries: list[Query
         assert len(set(forms)) == len(forms), query
 
 
+def test_refinements_are_those_that_normal_forms_tell_apart(refiner: Refiner, queries: list[Query]) -> None:
+    """What is put together from the forms of parts is what the normal form of each whole query tells."""
+    roots = refiner.root_count
+    for query in queries:
+        seen, expected = {form(query, refiner)}, []
+        for literals in refiner.extensions(query):
+            found = normal_form(query + literals, roots)
+            if found is not None and frozenset(found) not in seen:
+                seen.add(frozenset(found))
+                expected.append(literals)
+        assert [each.literals for each in refiner.refinements(query)] == expected
+
+
 def test_the_test_is_the_refined_component(refiner: Refiner, queries: list[Query]) -> None:
     for query in queries:
         for each in refiner.refinements(query):
-            assert form(each.prefix + each.literals, refiner) == set(each.test)
+            assert form(each.prefix + each.literals, refiner) == form(each.test, refiner)
             assert set(each.prefix) <= set(query)
 
 
@@ -285,7 +298,8 @@ def test_what_thresholds_a_query_has_does_not_matter(bias_of) -> None:
         several += len({each.args[1] for each in query if each.name in OPEN}) > 1
         refiner = Refiner(refiner.bias)
         for each in refiner.refinements(query):
-            assert set(each.prefix) <= set(query) and form(each.prefix + each.literals, refiner) == set(each.test)
+            assert set(each.prefix) <= set(query)
+            assert form(each.prefix + each.literals, refiner) == form(each.test, refiner)
             assert not any(map(is_open, each.literals[:-1]))  # one threshold at a time
         expected = [
             Refinement(each.literals, shifted(each.test), shifted(each.prefix)) for each in refiner.refinements(query)

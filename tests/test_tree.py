@@ -8,15 +8,15 @@ from random import Random
 import pytest
 from samples import pairs, random_query, random_tree, value_of_list, value_of_tree, visited
 
+from nppg.logic.forms import Forms
 from nppg.logic.query import Literal, Query, Var
-from nppg.logic.subsumption import deciding_tests
 from nppg.trees.tree import Leaf, Node, Rule, Tree, from_rules, leaves, rules
 
 
 @pytest.fixture
 def tests_of(setting):
     _, bias, _, _ = setting
-    return lambda query, literals: deciding_tests(query, literals, len(bias.roots))
+    return bias.forms.deciding_tests
 
 
 @pytest.fixture
@@ -64,7 +64,7 @@ def test_rules_that_share_literals_share_a_node() -> None:
         Node((q,), ((q,),), Leaf(1.0), Node((r,), ((r,),), Leaf(2.0), Leaf(3.0))),
         Node((q,), ((q,),), Leaf(4.0), Leaf(5.0)),
     )
-    assert from_rules(list(rules(tree)), lambda query, literals: deciding_tests(query, literals, 1)) == tree
+    assert from_rules(list(rules(tree)), Forms(1).deciding_tests) == tree
 
 
 @pytest.mark.parametrize("ordered", [[], [Rule((Literal("p", (Var(0),)),), 1.0)]])

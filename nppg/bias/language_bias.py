@@ -15,6 +15,7 @@ from pathlib import Path
 from nppg.bias.declarations import Declared, Mode, Template, upwards
 from nppg.bias.reader import read
 from nppg.errors import NppgError, Problem, suggestion
+from nppg.logic.forms import Forms
 from nppg.logic.query import OPEN
 
 RESERVED = ("delta", 3)
@@ -41,6 +42,11 @@ class LanguageBias(Declared):
     def offsets(self) -> tuple[int, ...]:
         """The number of the first root variable of each kind of action, and of the goal."""
         return tuple(accumulate((len(action.types) for action in self.actions), initial=0))
+
+    @cached_property
+    def forms(self) -> Forms:
+        """The normal forms of queries, for all who have to do with the same tests."""
+        return Forms(len(self.roots))
 
     def fits(self, type_: str, wanted: str) -> bool:
         """Whether a variable of `type_` may stand where `wanted` is asked for: the same type, or one below it."""

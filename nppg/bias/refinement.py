@@ -16,8 +16,9 @@ from itertools import product
 from nppg.bias.declarations import Argument, Mode
 from nppg.bias.language_bias import LanguageBias
 from nppg.errors import Problem
-from nppg.logic.query import OPEN, Literal, Query, Term, Var, components, solve_equalities, substitute, tightened
-from nppg.logic.subsumption import normal_form, subsumes
+from nppg.logic.forms import Given
+from nppg.logic.query import OPEN, Literal, Query, Term, Var, solve_equalities, substitute, tightened
+from nppg.logic.subsumption import subsumes
 
 KIND = "$action"
 _MEMORY = 20_000
@@ -70,9 +71,10 @@ class Refiner:
     def __init__(self, bias: LanguageBias):
         self.bias = bias
         self.root_count = len(bias.roots)
+        self._forms = bias.forms
         self._by_query: dict[Query, tuple[Refinement, ...]] = {}
-        self._by_core: dict[Query, tuple[Refinement, ...]] = {}
-        self._tests: dict[frozenset[Literal], Query] = {}
+        self._by_core: dict[Query, tuple[tuple[Refinement, frozenset[int]], ...]] = {}
+        self._choices: dict[tuple, tuple[tuple[Literal, int], ...]] = {}
         self._warned = False
 
     def refinements(self, query: Query) -> tuple[Refinement, ...]:
@@ -84,7 +86,7 @@ class Refiner:
                 self._by_core[core] = tuple(self._distinct(core))
             possible = self._by_core[core]
             if thresholds:
-                possible = tuple(_unranked(each, thresholds) for each in possible)
+                possible = tuple((_unranked(each, thresholds), patterns) for each, patterns in possible)
             found = tuple(self._adding(possible, query))
             if len(self._by_query) >= _MEMORY:
                 self._by_query.clear()
@@ -119,55 +121,70 @@ class Refiner:
     def _is_existential(self, literal: Literal) -> bool:
         return any(var.index >= self.root_count for var in literal.variables())
 
-    def _adding(self, candidates: Iterable[Refinement], query: Query) -> Iterator[Refinement]:
+    def _adding(self, candidates: Iterable[tuple[Refinement, frozenset[int]]], query: Query) -> Iterator[Refinement]:
         """Those that make the query more special: whose test does not θ-subsume it already."""
         theta, _ = solve_equalities(query, self.root_count)
         given = substitute((literal for literal in query if literal.name != "="), theta)
-        names = {literal.name for literal in given}
+        general = self._forms.general(given)
         equal = {var: term for var, term in theta.items() if var.index < self.root_count}
-        for each in candidates:
-            test = substitute(each.test, equal) if equal else each.test
-            if not (names.issuperset(literal.name for literal in test) and subsumes(test, given, self.root_count)):
+        for each, patterns in candidates:
+            test = each.test
+            if equal:
+                test = substitute(test, equal)
+                patterns = self._forms.patterns(test)
+            if not (patterns <= general and subsumes(test, given, self.root_count)):
                 yield each
 
-    def _distinct(self, core: Query) -> Iterator[Refinement]:
-        seen = {frozenset(normal_form(core, self.root_count) or ())}
-        existential = tuple(literal for literal in core if self._is_existential(literal))
-        for literals in self._extensions(core):
-            form = normal_form(core + literals, self.root_count)
-            if form is not None and frozenset(form) not in seen:
-                seen.add(frozenset(form))
-                parts = components(existential + literals, self.root_count)
-                own = next(part for part in parts if literals[0] in part)
-                test = normal_form(own, self.root_count)
-                assert test is not None
-                test = self._tests.setdefault(frozenset(test), test)
-                yield Refinement(literals, test, tuple(literal for literal in own if literal not in literals))
+    def _distinct(self, core: Query) -> Iterator[tuple[Refinement, frozenset[int]]]:
+        """The extensions of a query as refinements, with the patterns of their tests; the first of those that are
+        equivalent."""
+        given = Given(tuple(literal for literal in core if literal.name != KIND), self._forms)
+        if given.form is None:
+            return
+        seen = {given.form.key}
+        for literals in self.extensions(core):
+            found = given.extended(literals)
+            if found and found[-1] not in seen:
+                prefix, form, key = found
+                seen.add(key)
+                yield Refinement(literals, form.test, prefix), form.patterns
 
-    def _extensions(self, core: Query) -> Iterator[Query]:
+    def extensions(self, core: Query) -> Iterator[Query]:
+        """What the modes allow to add to a query, those that are equivalent to others among it."""
         kinds = self.bias.actions
         asked = [literal.args[0] for literal in core if literal.name == KIND]
         if len(kinds) > 1 and not asked:
             yield from ((Literal(KIND, (kind,)),) for kind in range(len(kinds)))
         types = self._typed_variables(core)
-        bounds_first = sorted(self.bias.modes, key=lambda mode: mode.name not in OPEN)  # no new variable where one is
-        for mode in bounds_first:
-            for literal in self._literals(mode, types):
-                yield (literal,)
-                yield from self._lookahead((literal,), types, min(mode.lookahead, self.bias.max_lookahead))
+        for literal, steps in self._possible(types):
+            yield (literal,)
+            yield from self._lookahead((literal,), types, steps)
 
     def _lookahead(self, literals: Query, types: dict[Var, str], steps: int) -> Iterator[Query]:
         """The literals with up to `steps` more behind them, each about a variable that they introduce."""
-        new = {var for literal in literals for var in literal.variables()} - types.keys()
+        new = frozenset(var for literal in literals for var in literal.variables() if var not in types)
         if steps == 0 or not new:
             return
-        extended = self._with_types(types, literals)
-        for mode in self.bias.modes:
-            for literal in self._literals(mode, extended):
-                if literal not in literals and new & set(literal.variables()):
-                    yield (*literals, literal)
-                    if not is_open(literal):  # one threshold at a time
-                        yield from self._lookahead((*literals, literal), types, steps - 1)
+        for literal, _ in self._possible(self._with_types(types, literals), new):
+            if literal not in literals:
+                yield (*literals, literal)
+                if not is_open(literal):  # one threshold at a time
+                    yield from self._lookahead((*literals, literal), types, steps - 1)
+
+    def _possible(self, types: dict[Var, str], new: frozenset[Var] = frozenset()) -> tuple[tuple[Literal, int], ...]:
+        """What the modes allow behind these variables, with how many literals it may look ahead. With `new` ones, what
+        is about one of them; else bounds come first: no new variable where there is one."""
+        key = *types.items(), new
+        found = self._choices.get(key)
+        if found is None:
+            modes = self.bias.modes if new else sorted(self.bias.modes, key=lambda mode: mode.name not in OPEN)
+            found = self._choices[key] = tuple(
+                (literal, min(mode.lookahead, self.bias.max_lookahead))
+                for mode in modes
+                for literal in self._literals(mode, types)
+                if not new or not new.isdisjoint(literal.variables())
+            )
+        return found
 
     def _typed_variables(self, core: Query) -> dict[Var, str]:
         """The variables that a literal may use. The arguments of an action are there once its kind is known."""

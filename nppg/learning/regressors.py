@@ -15,7 +15,6 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refiner
 from nppg.learning.options import Options
 from nppg.logic.query import Constant, Literal, Query, Var
-from nppg.logic.subsumption import deciding_tests
 from nppg.trees import cart
 from nppg.trees.tilde import Newton, Split, grow
 from nppg.trees.tree import Leaf, Node, Tree
@@ -98,7 +97,7 @@ class PerAction:
         found: list[tuple[Query, tuple[Query, ...], Tree]] = []
         rest = np.ones(len(examples.targets), bool)
         for kind in self.kinds:
-            tests = deciding_tests(query, kind, len(self.table.bias.roots))
+            tests = self.table.bias.forms.deciding_tests(query, kind)
             own = np.all([Split(*self.table.place(test)).covered(examples.answers) for test in tests], axis=0)
             if own.any():
                 found.append((kind, tests, self.learner.fit(examples.of(np.flatnonzero(own)), query + kind)))

@@ -18,7 +18,6 @@ from nppg.bridge.files import replacing, shipped
 from nppg.bridge.prolog import ask
 from nppg.bridge.terms import ground
 from nppg.errors import NppgError, Problem, suggestion
-from nppg.logic.subsumption import deciding_tests
 from nppg.policy.copies import conflicts, write_copies
 from nppg.trees.clauses import from_clause
 from nppg.trees.tree import Rule, Tree, from_rules
@@ -125,7 +124,7 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Stored:
     domain = open_domain(beside if beside.is_file() else shipped_file.stem, {**_parameters(path, known), **parameters})
     bias = _bias(path, known, domain)
     trees = [
-        from_rules(rules, lambda query, literals: deciding_tests(query, literals, len(bias.roots)))
+        from_rules(rules, bias.forms.deciding_tests)
         for rules in _trees(path, clauses, bias, known)
     ]
     for problem in another_domain(path, domain, known):

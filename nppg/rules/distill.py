@@ -20,7 +20,6 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refiner
 from nppg.judging.evaluation import ExactEvaluator, evaluate, merit, spread
 from nppg.learning.episode import generate_episode
-from nppg.logic.subsumption import deciding_tests
 from nppg.policy.gibbs import best
 from nppg.policy.policy import Policy
 from nppg.trees.tilde import grow
@@ -114,8 +113,7 @@ class _Judge:
         return result
 
     def _tree(self, ordered: list[Rule]) -> Tree:
-        roots = len(self.bias.roots)
-        return from_rules(ordered, lambda query, literals: deciding_tests(query, literals, roots))
+        return from_rules(ordered, self.bias.forms.deciding_tests)
 
     def success(self, policy: Policy) -> float:
         """Of the greedy policy; its mean return where the domain has no goal."""
