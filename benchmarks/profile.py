@@ -38,7 +38,7 @@ STAGES: list[tuple[Any, str, str]] = [
     (Coverage, "matrix", "gathering a node's answers"),
     (nppg.trees.tilde, "best_split", "the best split"),
     (nppg.trees.tilde, "best_step", "the best split of a second-order step"),
-    (Policy, "add", "adding a tree: clauses and arrays"),
+    (Policy, "add", "adding a tree"),
     (TG, "update", "statistics and splits of TG"),
     (InstanceTree, "predict", "predictions from instances"),
     (InstanceTree, "update", "storing instances, looking for splits"),

@@ -15,6 +15,7 @@
 :- use_module(potential).
 :- use_module(problem_file).
 :- use_module(query_pack).
+:- use_module(randomness, [without_draws/1]).
 :- use_module(report, [problems/2]).
 :- use_module(rule_list).
 :- use_module(state_text).
@@ -148,12 +149,55 @@ table_drop(Table, true) :-
     drop_examples(Table),
     drop_table(Table).
 
-tests(Table, Kind, Group, Words, true) :-
-    set_tests(Table, Kind, Group, Words).
+tests(Table, Dropped, Words, Kinds, true) :-
+    set_tests(Table, Dropped, Words, Kinds).
+
+%!  act(+Module, +Lean, +Table, +Action, -Answer) is det.
+%
+%   Takes an action, as states.pl says; with what a table answers about the legal actions of the state that it leads to,
+%   as `answers` gives it, behind the situation: [] where Table is none, there are no actions, or asking goes wrong.
+
+act(Module, Lean, Table, Data, [Reward, Gone, New, Situation, Answers]) :-
+    take(Module, Lean, Data, Actions, [Reward, Gone, New, Situation]),
+    (   Actions \== [],
+        Table \== '',
+        catch(without_draws(rows(Table, Actions, Kinds, Words)), nppg_fault(_, _), fail)
+    ->  Answers = [Kinds, Words]
+    ;   Answers = []
+    ).
 
 answers(Table, Data, [Kinds, Words]) :-
     decode_all(Data, Actions),
     rows(Table, Actions, Kinds, Words).
+
+%!  answers_in(+Table, +Facts, +States, -Answers) is det.
+%
+%   The same for actions in many states, one after the other. A state is [Static, Gone, New, Actions]: the number of its
+%   static facts, and how it differs from the state before it, the first one from the current state, by the numbers of
+%   facts in Facts, from 1.
+
+answers_in(Table, FactData, States, [Kinds, Words]) :-
+    layout(Table, Module, _, _),
+    decode_all(FactData, Facts),
+    compound_name_arguments(Known, facts, Facts),
+    answers_in(States, Known, Module, Table, Kinds, Words).
+
+answers_in([], _, _, _, [], []).
+answers_in([[Static, GoneNumbers, NewNumbers, Data]|States], Known, Module, Table, Kinds, Words) :-
+    known(GoneNumbers, Known, Gone),
+    known(NewNumbers, Known, New),
+    enforce(Module, Static),
+    exchange(Module, Gone, New),
+    decode_all(Data, Actions),
+    rows(Table, Actions, OwnKinds, OwnWords),
+    append(OwnKinds, MoreKinds, Kinds),
+    append(OwnWords, MoreWords, Words),
+    answers_in(States, Known, Module, Table, MoreKinds, MoreWords).
+
+known([], _, []).
+known([Number|Numbers], Known, [Fact|Facts]) :-
+    arg(Number, Known, Fact),
+    known(Numbers, Known, Facts).
 
 %!  answers_legal(+Table, +Serial, -Answers) is det: the same for the legal actions of the current state.
 

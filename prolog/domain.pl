@@ -50,7 +50,10 @@ begin(Module, Source, Given, Facts) :-
     must_be_facts(Module, Source, Given, Static0),
     sort(Static0, Static),
     sort(Given, All),
-    ord_subtract(All, Static, Facts),
+    (   Static == []
+    ->  Facts = All
+    ;   ord_subtract(All, Static, Facts)
+    ),
     in_force(Module, Old),
     (   ( Old == 0, Static == [] ; static_facts(Module, Old, Static) )
     ->  true
@@ -177,7 +180,16 @@ horizon(Module, Steps) :-
 %   lead to, and those that do not hold yet. The current state stays current.
 
 outcomes(Module, Action, Outcomes) :-
-    findall(Outcome, outcome(Module, Action, Outcome), Outcomes),
+    (   defines(Module, effect/3)
+    ->  guarded_findall(effect(1, Delete, Add), Module:(effect/3), Module:effect(Action, Delete, Add), Certain),
+        changes(Certain, effect/3, Module, Action, Outcomes, Others)
+    ;   Outcomes = Others
+    ),
+    (   defines(Module, effect/4)
+    ->  guarded_findall(effect(P, Delete, Add), Module:(effect/4), Module:effect(Action, P, Delete, Add), Drawn),
+        changes(Drawn, effect/4, Module, Action, Others, [])
+    ;   Others = []
+    ),
     (   Outcomes == []
     ->  fault(Module:(action/1), 'allows ~w, which no effect covers,'-[Action])
     ;   Outcomes = [1-_]
@@ -193,24 +205,16 @@ outcomes(Module, Action, Outcomes) :-
 add_probability(Probability-_, Sum0, Sum) :-
     Sum is Sum0 + Probability.
 
-outcome(Module, Action, Probability-change(Gone, New)) :-
-    (   defines(Module, effect/3),
-        Source = effect/3,
-        Probability = 1,
-        guarded_findall(Delete-Add, Module:(effect/3), Module:effect(Action, Delete, Add), Changes),
-        member(Delete-Add, Changes)
-    ;   defines(Module, effect/4),
-        Source = effect/4,
-        guarded_findall(c(P, Delete, Add), Module:(effect/4), Module:effect(Action, P, Delete, Add), Changes),
-        member(c(Probability, Delete, Add), Changes),
-        (   number(Probability), Probability > 0, Probability =< 1
-        ->  true
-        ;   fault(Module:(effect/4), 'gave ~w as the probability of an outcome of ~w'-[Probability, Action])
-        )
+changes([], _, _, _, Outcomes, Outcomes).
+changes([effect(Probability, Delete, Add)|Effects], Source, Module, Action, [Probability-change(Gone, New)|Outcomes], End) :-
+    (   number(Probability), Probability > 0, Probability =< 1
+    ->  true
+    ;   fault(Module:(effect/4), 'gave ~w as the probability of an outcome of ~w'-[Probability, Action])
     ),
     must_be_facts(Module, Source, Delete),
     must_be_facts(Module, Source, Add),
-    effective(Module, Delete, Add, Gone, New).
+    effective(Module, Delete, Add, Gone, New),
+    changes(Effects, Source, Module, Action, Outcomes, End).
 
 %!  reward(+Module, +Action, ?Status, -Reward) is det.
 %

@@ -5,6 +5,7 @@
             all_facts/2,         % +Module, -Count       det
             effective/5,         % +Module, +Delete, +Add, -Gone, -New  det
             change/3,            % +Module, +Gone, +New  det
+            exchange/3,          % +Module, +Gone, +New  det
             new_static/3,        % +Module, +Facts, -Number  det
             static_facts/3,      % +Module, +Number, -Facts  semidet
             enforce/2,           % +Module, +Number      semidet
@@ -148,12 +149,23 @@ change(Module, Gone, New) :-
     ->  interpretation(Module, Old),
         ord_subtract(Old, Gone, Kept),
         ord_union(Kept, New, Facts),
-        length(Facts, Count)
-    ;   Facts = changed,
-        length(Gone, Less),
-        length(New, More),
-        Count is Count0-Less+More
-    ),
+        length(Facts, Count),
+        exchange(Module, Gone, New, Facts, Count)
+    ;   exchange(Module, Gone, New)
+    ).
+
+%!  exchange(+Module, +Gone, +New) is det.
+%
+%   The same for facts in any order; no list of those that hold is made.
+
+exchange(Module, Gone, New) :-
+    facts(Module, Count0),
+    length(Gone, Less),
+    length(New, More),
+    Count is Count0-Less+More,
+    exchange(Module, Gone, New, changed, Count).
+
+exchange(Module, Gone, New, Facts, Count) :-
     retract_all(Gone, Module),
     assertz_all(New, Module),
     set_current(Module, Facts, Count),

@@ -3,6 +3,7 @@
             drop_layout/1,       % +Table                                     det
             layout/4,            % +Table, -Module, -Kinds, -Goal             semidet
             root_count/2,        % +Table, -Count                             det
+            template/3,          % +Template, -Term, -Args                    det
             action_roots/5,      % +Table, +GoalValues, +Action, -Kind, -Roots  det
             goal_values/2        % +Table, -Values                            det
           ]).
@@ -40,6 +41,8 @@ set_roots(Table, Kinds, Goal) :-
     append(ActionValues, GoalValues, Values),
     Roots =.. [roots|Values],
     forall(nth0(Kind, Actions, Action), assertz(roots(Table, Action, GoalValues, Kind, Roots))).
+
+%!  template(+Template, -Term, -Args) is det: [Name, Arity] as a term with unbound arguments; [] for no goal.
 
 template([], [], []).
 template([Name, Arity], Template, Args) :-

@@ -16,7 +16,7 @@
             nth_legal/4,         % +Module, +Serial, +Number, -Data  det
             expert_actions/2,    % +Module, -Data                det
             neighbours/2,        % +Module, -Answer              det
-            act/4,               % +Module, +Lean, +Action, -Answer  det
+            take/5,              % +Module, +Lean, +Action, -Actions, -Answer  det
             certain/3,           % +Module, +Action, -Change     det
             reward_of/3,         % +Module, +Action, -Reward     det
             cost_of/3            % +Module, +Action, -Cost       det
@@ -120,25 +120,35 @@ situation(Module, Situation) :-
 
 situation(Module, Lean, Situation) :-
     status(Module, Status),
-    situation(Module, Lean, Status, Situation).
+    situation(Module, Lean, Status, _, Situation).
 
-situation(Module, Lean, Status, Situation) :-
+%   Actions are those that cross.
+
+situation(Module, Lean, Status, Crossing, Situation) :-
     (   Status \== running
-    ->  Situation = [Status, []]
+    ->  Situation = [Status, []],
+        Crossing = []
     ;   Lean == true, some_action(Module)
-    ->  Situation = [Status, -1, -1]
+    ->  Situation = [Status, -1, -1],
+        Crossing = []
     ;   actions(Module, Actions),
         length(Actions, Count),
         (   Count > 100
         ->  flag(nppg_legal, Serial, Serial+1),
             nb_setval(nppg_legal, legal(Serial, Actions)),
-            Situation = [Status, Count, Serial]
+            Situation = [Status, Count, Serial],
+            Crossing = []
         ;   Actions \== []
-        ->  must_be_actions(Module, action/1, Actions),
-            Situation = [Status, Data],
-            encode_all(Actions, Data)
+        ->  Situation = [Status, Data],
+            Crossing = Actions,
+            (   encode_flat(Actions, Data)
+            ->  true
+            ;   must_be_actions(Module, action/1, Actions),
+                encode_all(Actions, Data)
+            )
         ;   has_dead_ends(Module)
-        ->  Situation = [terminal, []]
+        ->  Situation = [terminal, []],
+            Crossing = []
         ;   fault(Module:(action/1), 'gave no legal action, though the state is neither goal nor terminal and no :- dead_ends are declared,'-[])
         )
     ).
@@ -217,12 +227,13 @@ encode_change(>, Fact, Facts, _, More, Number, Data, Rest) :-
     Next is Number+1,
     encode_change([Fact|Facts], More, Next, [Data|Rest]).
 
-%!  act(+Module, +Lean, +Action, -Answer) is det.
+%!  take(+Module, +Lean, +Action, -Actions, -Answer) is det.
 %
 %   Takes an action in the current state: [Reward, Gone, New, Situation] for the state that it leads to, which differs in
-%   these facts. Situation is [] where asking for it goes wrong, which is to be heard only by who does ask.
+%   these facts. Situation is [] where asking for it goes wrong, which is to be heard only by who does ask. Actions are
+%   the legal actions that are in it.
 
-act(Module, Lean, ActionData, [Reward, GoneData, NewData, Situation]) :-
+take(Module, Lean, ActionData, Actions, [Reward, GoneData, NewData, Situation]) :-
     decode(ActionData, Action),
     outcomes(Module, Action, Outcomes),
     chosen(Outcomes, change(Gone, New)),
@@ -235,9 +246,11 @@ act(Module, Lean, ActionData, [Reward, GoneData, NewData, Situation]) :-
     encode_all(Gone, GoneData),
     encode_all(New, NewData),
     (   nonvar(Found),
-        catch(without_draws(situation(Module, Lean, Status, Whole)), nppg_fault(_, _), fail)
-    ->  Situation = Whole
-    ;   Situation = []
+        catch(without_draws(situation(Module, Lean, Status, Crossing, Whole)), nppg_fault(_, _), fail)
+    ->  Situation = Whole,
+        Actions = Crossing
+    ;   Situation = [],
+        Actions = []
     ).
 
 %!  certain(+Module, +Action, -Change) is det: [Gone, New] where an action has one outcome, else [].

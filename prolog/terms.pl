@@ -1,6 +1,7 @@
 :- module(nppg_terms,
           [ encode/2,            % +Ground, -Data                 det
             encode_all/2,        % +Grounds, -DataList            det
+            encode_flat/2,       % +Grounds, -DataList            semidet
             decode/2,            % +Data, -Ground                 det
             decode_all/2,        % +DataList, -Grounds            det
             literal/3,           % +Data, +Variables, -Literal    det
@@ -28,8 +29,34 @@ encode(Term, Data) :-
 
 encode_all([], []).
 encode_all([Term|Terms], [Data|Rest]) :-
-    encode(Term, Data),
+    (   atom(Term)
+    ->  Data = Term
+    ;   encode(Term, Data)
+    ),
     encode_all(Terms, Rest).
+
+%!  encode_flat(+Grounds, -DataList) is semidet.
+%
+%   The same for names, and compounds of names and integers; fails where there is something else.
+
+encode_flat([], []).
+encode_flat([Term|Terms], [Data|Rest]) :-
+    (   atom(Term)
+    ->  Data = Term
+    ;   compound(Term),
+        compound_name_arguments(Term, Name, Args),
+        constants(Args),
+        Data = [Name|Args]
+    ),
+    encode_flat(Terms, Rest).
+
+constants([]).
+constants([Arg|Args]) :-
+    (   atom(Arg)
+    ->  true
+    ;   integer(Arg)
+    ),
+    constants(Args).
 
 decode(Data, Term) :-
     (   atomic(Data)
@@ -47,7 +74,10 @@ decode(Data, Term) :-
 
 decode_all([], []).
 decode_all([Data|Rest], [Term|Terms]) :-
-    decode(Data, Term),
+    (   atom(Data)
+    ->  Term = Data
+    ;   decode(Data, Term)
+    ),
     decode_all(Rest, Terms).
 
 literal([Name|Data], Variables, Literal) :-

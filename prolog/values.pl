@@ -22,7 +22,9 @@ must_be_facts(Module, Source, Facts) :-
     ->  true
     ;   fault(Module:Source, 'gave ~w where a list of facts is wanted,'-[Facts])
     ),
-    (   member(Fact, Facts), \+ fact(Module, Fact)
+    (   all_facts(Facts, Module)
+    ->  true
+    ;   member(Fact, Facts), \+ fact(Module, Fact)
     ->  (   callable(Fact),
             functor(Fact, Name, Arity),
             declared(Module, nppg_static(Name/Arity))
@@ -30,8 +32,12 @@ must_be_facts(Module, Source, Facts) :-
         ;   defect(Fact, Defect),
             fault(Module:Source, 'gave ~w, which is no fact of a declared fluent~w,'-[Fact, Defect])
         )
-    ;   true
     ).
+
+all_facts([], _).
+all_facts([Fact|Facts], Module) :-
+    fact(Module, Fact),
+    all_facts(Facts, Module).
 
 %!  must_be_facts(+Module, +Source, +Facts, -Static) is det.
 %
@@ -39,7 +45,8 @@ must_be_facts(Module, Source, Facts) :-
 
 must_be_facts(Module, Source, Facts, Static) :-
     (   is_list(Facts),
-        predicate_property(Module:nppg_static(_), defined)
+        predicate_property(Module:nppg_static(_), defined),
+        \+ \+ Module:nppg_static(_)
     ->  partition(static_fact(Module), Facts, Static, Others)
     ;   Static = [],
         Others = Facts

@@ -10,7 +10,8 @@ import pytest
 from samples import pairs, random_query, relations, root_values, truth, visited
 
 from nppg.answers.coverage import Coverage, root_table
-from nppg.answers.table import WORD, TestTable
+from nppg.answers.table import TestTable
+from nppg.answers.words import WORD
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, Refiner
 from nppg.errors import NppgError

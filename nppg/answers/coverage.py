@@ -13,7 +13,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from nppg.answers.facts import FactTable, suffices
-from nppg.answers.table import WORD, Table, TestTable, measure, unpacked
+from nppg.answers.table import Table, TestTable
+from nppg.answers.words import WORD, measure, unpacked
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, Refiner
 from nppg.bridge.prolog import ask
@@ -52,8 +53,7 @@ class Coverage:
         return list(zip(starts, [*starts[1:], len(self.states)], strict=True))
 
     def _ask_table(self) -> np.ndarray:
-        rows = [self.table.answers(self.states[a], self.actions[a:b]) for a, b in self._runs()]
-        return np.concatenate(rows) if rows else np.empty((0, len(self.table)), bool)
+        return self.table.answers_in([(self.states[a], self.actions[a:b]) for a, b in self._runs()])
 
     def matrix(self, candidates: Sequence[Refinement], members: np.ndarray, known: Known) -> tuple[np.ndarray, Known]:
         """The answers, shape (members, candidates), and what is now known.

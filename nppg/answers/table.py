@@ -14,69 +14,18 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 
 from nppg.answers.comparing import located
+from nppg.answers.words import Words
 from nppg.bias.language_bias import LanguageBias
-from nppg.bias.refinement import KIND, Refinement, is_open
+from nppg.bias.refinement import Refinement, is_open
 from nppg.bridge.prolog import ask, drop_with
-from nppg.bridge.terms import encoded, plain
 from nppg.errors import NppgError
-from nppg.logic.query import OPEN, Literal, Query, opened, variables
+from nppg.logic.query import OPEN, Query, opened
 from nppg.worlds.domain import Domain
 from nppg.worlds.legal import LegalActions
 from nppg.worlds.world import Action, State
 
-WORD = 60  # tests in one integer: it stays a small one in Prolog
-BITS = 64  # of an integer in NumPy
+_STATES = 200  # that are handed over at once
 _MEMORY = 10_000  # lists of candidates whose columns are remembered
-
-
-class _Groups:
-    """The tests of one kind of action, by the arguments that they are about, and where their answers stand."""
-
-    def __init__(self) -> None:
-        self.truths: dict[tuple[int, ...], list[int]] = {}  # columns of tests without a bound
-        self.bounds: dict[tuple[int, ...], list[int]] = {}  # and with one; both have all groups
-        self.always: list[int] = []
-        self.words = 0
-        self._places: np.ndarray = np.empty(0, np.intp)  # of each column's bit; that of none is never set
-        self._bits: list[int] = []  # words of truth values
-        self._values: list[tuple[int, int]] = []  # words of one number, with their column
-        self._limitless: np.ndarray | None = None  # answers where nothing holds, if they are numbers
-
-    def add(self, arguments: tuple[int, ...], column: int, bound: bool) -> None:
-        truths, bounds = self.truths.setdefault(arguments, []), self.bounds.setdefault(arguments, [])
-        (bounds if bound else truths).append(column)
-
-    def update(self, size: int, bounds: Sequence[int] | None) -> None:
-        """To be called after columns have been added; there are `size` of them, those of other kinds included, among
-        them `bounds`, which is None where answers are truth values."""
-        self._places = np.full(size, WORD)
-        self._bits, self._values = [], []
-        self.words = 0
-        for arguments, columns in self.truths.items():
-            words = range(self.words, self.words - (-len(columns) // WORD))
-            for i, column in enumerate(columns):
-                self._places[column] = (len(self._bits) + i // WORD) * BITS + i % WORD
-            self._bits += words
-            self.words += len(words)
-            self._values += enumerate(self.bounds[arguments], self.words)
-            self.words += len(self.bounds[arguments])
-        if bounds is not None:
-            self._limitless = np.ones(size)
-            self._limitless[list(bounds)] = np.inf
-
-    def rows(self, words: list, count: int) -> np.ndarray:
-        """The answers to all columns; of each word in turn, `words` has that of every one of `count` actions."""
-        own = [words[i * count : (i + 1) * count] for i in self._bits] if self._values else words
-        bits = unpacked(np.array(own, "<i8").reshape(-1, count).T) if self._bits else np.zeros((count, BITS), bool)
-        result = bits.take(self._places, axis=1)
-        if self.always:
-            result[:, self.always] = True
-        if self._limitless is None:
-            return result
-        numbers = np.where(result, 0.0, self._limitless)
-        for word, column in self._values:
-            numbers[:, column] = words[word * count : (word + 1) * count]
-        return numbers
 
 
 class Table(ABC):
@@ -119,6 +68,11 @@ class Table(ABC):
     def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         """Shape (actions, tests): booleans, or numbers where tests may have bounds."""
 
+    def answers_in(self, pairs: Sequence[tuple[State, Sequence[Action]]]) -> np.ndarray:
+        """The answers about actions in many states, one below the other."""
+        rows = [self.answers(state, actions) for state, actions in pairs]
+        return np.concatenate(rows) if rows else np.empty((0, len(self)), bool)
+
     def place(self, test: Query) -> tuple[int, float]:
         """The column of a test in what `answers` returns, and its limit there."""
         deciding, limit = opened(test)
@@ -152,34 +106,13 @@ class TestTable(Table):
         goal = [bias.goal.name, len(bias.goal.types)] if bias.goal else []
         self.name: str = ask("table", domain.module, kinds, goal)
         drop_with(self, "table_drop", self.name)
-        self._groups = [_Groups() for _ in bias.actions]
+        self._words = Words(bias)
         self.loaded: Callable[[], object] = lambda: None  # the Coverage whose examples Prolog holds
 
     def _prepare(self, columns: Sequence[int]) -> None:
-        touched = set()
-        for column in columns:
-            test = self.tests[column]
-            for kind, groups in enumerate(self._groups):
-                arguments = self._arguments(test, kind)
-                if test[0].name == KIND:
-                    groups.always += [column] if test[0].args[0] == kind else []
-                elif arguments is not None:
-                    groups.add(arguments, column, any(map(is_open, test)))
-                    touched.add((kind, arguments))
-        for kind, arguments in sorted(touched):
-            groups = self._groups[kind]
-            group = [encoded(self.tests[column]) for column in groups.truths[arguments]]
-            words = [group[i : i + WORD] for i in range(0, len(group), WORD)]
-            words += [measure(self.tests[column]) for column in groups.bounds[arguments]]
-            ask("tests", self.name, kind, [list(groups.truths).index(arguments), [i + 1 for i in arguments]], words)
-        for groups in self._groups:
-            groups.update(len(self), self.bounds if self.numeric else None)
-
-    def _arguments(self, test: Query, kind: int) -> tuple[int, ...] | None:
-        """The action's arguments that the test is about; None if some are another kind's, so that it never holds."""
-        own = range(*self.bias.offsets[kind : kind + 2])
-        used = sorted({var.index for var in variables(test) if var.index < self.bias.offsets[-1]})
-        return tuple(used) if all(index in own for index in used) else None
+        tests = [(column, self.tests[column]) for column in columns]
+        self.domain.loaded.forget_answers()
+        ask("tests", self.name, *self._words.add(tests, self.bounds if self.numeric else None, len(self)))
 
     def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         try:
@@ -187,6 +120,18 @@ class TestTable(Table):
         except NppgError as error:
             bounded = [self.tests[column] for column in self.bounds]
             raise self.located(error, bounded, [(state, actions)]) from None
+
+    def answers_in(self, pairs: Sequence[tuple[State, Sequence[Action]]]) -> np.ndarray:
+        """Many states at a time, of which what they differ in is handed over. Where that goes wrong they are asked one by
+        one, to tell which state it is."""
+        rows = []
+        for i in range(0, len(pairs), _STATES):
+            try:
+                kinds, words = self.domain.loaded.answers_in(self.name, pairs[i : i + _STATES])
+                rows.append(self._rows(kinds, words))
+            except NppgError:
+                rows.append(super().answers_in(pairs[i : i + _STATES]))
+        return np.concatenate(rows) if rows else super().answers_in(pairs)
 
     def located(
         self, error: NppgError, tests: Iterable[Query], pairs: Sequence[tuple[State, Sequence[Action]]]
@@ -210,28 +155,21 @@ class TestTable(Table):
             self.domain.visit(state)
             kinds, words = ask("answers_legal", self.name, actions.serial)
         else:
-            given = plain(actions)  # before the visit: legal actions of another state may have to be found there
+            if not isinstance(actions, list):
+                actions = list(actions)  # before the visit: legal actions of another state may have to be found there
             self.domain.visit(state)
-            kinds, words = ask("answers", self.name, given)
-        if len(set(kinds)) == 1:
-            return self._groups[kinds[0]].rows(words, len(actions))
-        result = np.empty((len(actions), len(self)), float if self.numeric else bool)
-        start = 0
-        for kind in sorted(set(kinds)):
+            kinds, words = self.domain.loaded.answers_about(self.name, actions)
+        return self._rows(kinds, words)
+
+    def _rows(self, kinds: list[int], words: list) -> np.ndarray:
+        present = sorted(set(kinds))
+        if len(present) == 1:
+            own = self._words.kinds[present[0]]
+            return own.rows(words, [i * own.words for i in range(len(kinds))])
+        result = np.empty((len(kinds), len(self)), float if self.numeric else bool)
+        sizes = [self._words.kinds[kind].words for kind in kinds]
+        starts = np.cumsum([0, *sizes[:-1]])
+        for kind in present:
             members = np.flatnonzero(np.array(kinds) == kind)
-            end = start + self._groups[kind].words * len(members)
-            result[members] = self._groups[kind].rows(words[start:end], len(members))
-            start = end
+            result[members] = self._words.kinds[kind].rows(words, starts[members].tolist())
         return result
-
-
-def measure(test: Query) -> list:
-    """What decides a test with a bound, as prolog/test_clauses.pl reads it: the bound first."""
-    bound = next(filter(is_open, test))
-    return ["measure", encoded((Literal(bound.name, (bound.args[0], 0)), *(each for each in test if each != bound)))]
-
-
-def unpacked(words: np.ndarray) -> np.ndarray:
-    """Unpacks the words of each row, in order, to booleans of shape (rows, 64 * words per row)."""
-    array = np.ascontiguousarray(words).view(np.uint8)
-    return np.unpackbits(array, axis=1, bitorder="little").view(bool)

@@ -108,7 +108,7 @@ def generate_episode(
             actions, answers, potentials, probabilities = [policy.prefer(seen, rng)], _NOTHING, _NOTHING, _NOTHING
             chosen = 0
         else:
-            if learning:
+            if learning and type(actions) is not list:
                 actions = list(actions)  # while they are at hand
             answers = policy.answers(seen, actions)
             potentials = policy.potentials_of(answers)
@@ -121,6 +121,7 @@ def generate_episode(
         if met is not None and not advice:
             weights = potentials if greedy else probabilities
             chosen = _leading_on(domain, state, actions, weights, chosen, met, greedy, rng)
+        lean = lean or len(steps) + 1 == most  # nobody acts in the last state
         reward, following = domain.act(state, actions[chosen], rng, lean)
         steps.append(Step(seen, actions, answers, potentials, probabilities, chosen, reward, state, bool(advice)))
         state = following

@@ -78,14 +78,18 @@ class Forest:
             return np.zeros(len(rows))
         if rows.dtype != bool:  # numbers hardly ever come again
             return self._summed(rows)
-        if rows.shape[1] != self._rows.shape[1] or len(self._number) + len(rows) > _MEMORY:
+        if rows.shape[1] != self._rows.shape[1]:
             self._forget(rows.shape[1])
-        width, answers = rows.shape[1], rows.tobytes()
-        keys = [answers[i * width : (i + 1) * width] for i in range(len(rows))]
+        keys = _keys(rows)
+        try:
+            return self._sums.take([self._number[key] for key in keys])
+        except KeyError:
+            pass
+        if len(self._number) + len(rows) > _MEMORY:
+            self._forget(rows.shape[1])
         new = {key: i for i, key in enumerate(keys) if key not in self._number}
-        if new:
-            self._remember(list(new), rows[list(new.values())])
-        return self._sums[[self._number[key] for key in keys]]
+        self._remember(list(new), rows[list(new.values())])
+        return self._sums.take([self._number[key] for key in keys])
 
     def _remember(self, keys: list[bytes], rows: np.ndarray) -> None:
         size, end = len(self._number), len(self._number) + len(keys)
@@ -109,6 +113,12 @@ class Forest:
         if len(self._parts) > 1:
             self._parts = [_Arrays(*map(np.concatenate, zip(*self._parts, strict=True)))]
         return self._parts[0]
+
+
+def _keys(rows: np.ndarray) -> list[bytes]:
+    """What is equal for equal rows."""
+    width, answers = rows.shape[1], rows.tobytes()
+    return [answers[i : i + width] for i in range(0, len(answers), width)] if width else [b""] * len(rows)
 
 
 def _arrays(tree: Tree, place_of: Callable[[Query], tuple[int, float]]) -> tuple[_Arrays, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from importlib.metadata import entry_points
 from itertools import pairwise
@@ -29,8 +30,8 @@ from nppg.worlds.world import Action, State
 class Policy:
     """Psi_m = Psi_{m-1} + eta_m h_m, and pi(s, a) = exp Psi(s, a) / sum_b exp Psi(s, b).
 
-    The trees are stored in Prolog as clauses; `potentials` is their sum, by way of each pair's answers to the
-    tests of `table` (see nppg.policy.forest), `prolog_potentials` asks the clauses themselves.
+    The trees are stored in Prolog as clauses, once somebody asks for these; `potentials` is their sum, by way of each
+    pair's answers to the tests of `table` (see nppg.policy.forest), `prolog_potentials` asks the clauses themselves.
     """
 
     greedy = False  # whether it takes an action of the highest potential wherever it does not learn
@@ -56,17 +57,25 @@ class Policy:
     def _open(self) -> None:
         """Makes the place in Prolog where the trees are stored, which goes with this object."""
         signatures = [(each.name, each.types) for each in self.bias.actions] + list(self.bias.types.items())
-        self.name: str = ask("policy", self.domain.module, [[name, *types] for name, types in signatures])
-        drop_with(self, "policy_drop", self.name)
+        self._name: str = ask("policy", self.domain.module, [[name, *types] for name, types in signatures])
+        drop_with(self, "policy_drop", self._name)
+        self._unstored: deque[Tree] = deque()  # those that Prolog does not have yet
         self._forest = Forest()
 
+    @property
+    def name(self) -> str:
+        """Under which Prolog has the clauses of all trees."""
+        while self._unstored:
+            ask("tree", self._name, [to_clause(rule, self.bias) for rule in rules(self._unstored.popleft())])
+        return self._name
+
     def _store(self, tree: Tree) -> None:
-        ask("tree", self.name, [to_clause(rule, self.bias) for rule in rules(tree)])
+        self._unstored.append(tree)
         self.table.add(tests(tree))
         self._forest.add(tree, self.table.place)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in vars(self).items() if name not in ("name", "_forest")}
+        return {name: value for name, value in vars(self).items() if name not in ("_name", "_unstored", "_forest")}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """A copy stores the trees for itself."""

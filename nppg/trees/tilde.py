@@ -151,12 +151,12 @@ class _Splits:
     def sums(self, weights: np.ndarray) -> np.ndarray:
         """For each split the sum of the weights, shape (examples,), of the examples that it covers."""
         if self._truths:
-            return (self._covered * weights[:, None]).sum(axis=0)
+            return np.add.reduce(self._covered * weights[:, None], axis=0)
         return weights[self._order].cumsum(axis=0)[self._last, self._candidates]
 
     def counts(self) -> np.ndarray:
         """For each split the number of examples that it covers."""
-        return self._covered.sum(axis=0) if self._truths else self._last + 1.0
+        return np.add.reduce(self._covered, axis=0) if self._truths else self._last + 1.0
 
     def __getitem__(self, split: int) -> Split:
         return Split(split, 0.5) if self._truths else Split(int(self._candidates[split]), float(self._limits[split]))
@@ -184,7 +184,8 @@ def best_split(answers: np.ndarray, values: np.ndarray, limits: TreeLimits, unit
     found = best_gain(splits.sums(values), values.sum(), n1, count, n1, float(count), limits.min_examples)
     if found is None:
         return None
-    squares, unit = _variance(values) * count, size_of(values) if unit is None else unit
+    squares = 0.0 if limits.significance == 1.0 else _variance(values) * count
+    unit = size_of(values) if unit is None else unit
     return splits[found[0]] if is_significant(found[1], squares, count, limits.significance, unit) else None
 
 
@@ -223,21 +224,22 @@ def best_gain(
     Of each split's covered examples: the sum `s1` of the values, the number `n1` and the sum `weights` of weights,
     and of all examples `total`, `count` and `whole`; `regularisation` is added to each weight. The sums are to run in a
     fixed order, so that the outcome does not depend on the machine's linear algebra."""
-    w1, w0 = weights + regularisation, whole - weights + regularisation
-    allowed = (n1 >= least) & (count - n1 >= least) & (w1 > 0) & (w0 > 0)
-    if not allowed.any():
+    w1 = weights + regularisation if regularisation else weights
+    w0 = whole - weights + regularisation if regularisation else whole - weights
+    allowed = ((n1 >= least) & (n1 <= count - least) & (w1 > 0) & (w0 > 0)).nonzero()[0]
+    if not len(allowed):
         return None
-    gain = s1**2 / np.where(allowed, w1, 1) + (total - s1) ** 2 / np.where(allowed, w0, 1)
+    s1, w1, w0 = s1.take(allowed), w1.take(allowed), w0.take(allowed)
+    gain = s1**2 / w1 + (total - s1) ** 2 / w0
     gain -= total**2 / (whole + regularisation)
-    gain[~allowed] = -np.inf
-    top = gain.max()
-    best = int(np.argmax(gain >= top - _TIE * abs(top)))
-    return best, float(gain[best])
+    top = float(gain.max())
+    best = int((gain >= top - _TIE * abs(top)).argmax())
+    return int(allowed[best]), float(gain[best])
 
 
 def _variance(values: np.ndarray) -> float:
-    mean = values.sum() / len(values)
-    return float(((values - mean) ** 2).sum() / len(values))
+    mean = np.add.reduce(values) / len(values)
+    return float(np.add.reduce((values - mean) ** 2) / len(values))
 
 
 def is_significant(gain: float, squares: float, count: int, level: float, unit: float) -> bool:

@@ -82,6 +82,11 @@ class Domain:
         return self._loaded.module
 
     @property
+    def loaded(self) -> Loaded:
+        """Its file as Prolog has it, with the current state."""
+        return self._loaded
+
+    @property
     def is_countable(self) -> bool:
         """Whether it is for exact evaluation, if it has few enough states: it declares a uniform start, has a goal, is
         seen as it is, and all its facts are in its states."""
@@ -202,7 +207,8 @@ class Domain:
         status, actions, *serial = self._loaded.situation or ask("situation", self.module, lean)
         if serial:
             return Situation(status, LegalActions(self._loaded, state, actions, *serial))
-        return Situation(status, compounds(actions))
+        self._loaded.legal = found = compounds(actions)
+        return Situation(status, found.copy())
 
     def horizon(self, state: State) -> int:
         """The number of steps after which an episode that starts here ends."""
@@ -224,16 +230,10 @@ class Domain:
         return compounds(ask("expert_actions", self.module))
 
     def act(self, state: State, action: Action, rng: np.random.Generator, lean: bool = False) -> tuple[float, State]:
-        """Takes an action: the reward, and the state that it leads to.
-
-        Nearly always that state's situation is asked for next: Prolog brings it along, `lean` or not."""
+        """Takes an action: the reward, and the state that it leads to; its situation, `lean` or not, comes along."""
         self.visit(state)
-        self.forget()
-        before = self.interpreted(state)
         with randomness(rng):
-            reward, gone, new, self._loaded.situation = ask("act", self.module, lean, *plain([action]))
-        self._loaded.current = following = before.changed(ground(gone), ground(new))
-        return reward, following
+            return self._loaded.act(self.interpreted(state), plain([action])[0], lean)
 
     def certain(self, state: State, action: Action) -> State | None:
         """The state that an action leads to, None where that is left to chance."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Mapping, Sequence
+from operator import is_
 from pathlib import Path
 from weakref import WeakValueDictionary
 
@@ -11,6 +12,7 @@ from nppg.bridge.prolog import ask, check_thread, drop_with
 from nppg.bridge.terms import Ground, ground, plain
 from nppg.worlds.state import (
     NOTHING,
+    FactNumbers,
     Interpretation,
     Static,
     facts_of,
@@ -31,6 +33,9 @@ class Loaded:
         self.description = dict(entries)
         self.current: Sequence[Ground] | None = None
         self.situation: list | None = None  # that of the current state, where it is known
+        self.legal: list[Ground] = []  # its legal actions, where they are known
+        self._answers: list = []  # a table's about these, where they are known
+        self._table = ""  # the one that has been asked about these, and is likely to be asked in the next state, too
         self._static: WeakValueDictionary[int, Static] = WeakValueDictionary()
         self._names = {tuple(each) for each in self.description["static"]}
         self._made: tuple[object, Interpretation] = (None, Interpretation())  # what `interpreted` has been asked last
@@ -97,9 +102,50 @@ class Loaded:
             ask("visit", self.module, self.number(static_of(own)), facts_of(own))
         self.current = state
 
+    def act(self, before: Interpretation, action: Ground, lean: bool) -> tuple[float, Interpretation]:
+        """The reward for an action in the current state `before`, and the state that it leads to, which becomes current.
+        That state's situation is brought along, and what the table answers that was asked before."""
+        self.forget()
+        table, self._table = self._table, ""
+        reward, gone, new, self.situation, answers = ask("act", self.module, lean, table, action)
+        self._answers = [table, *answers] if answers else []
+        self.current = following = before.changed(ground(gone), ground(new))
+        return reward, following
+
+    def answers_about(self, table: str, actions: Sequence[Ground]) -> tuple[list, list]:
+        """What a table answers about actions in the current state."""
+        if len(actions) == len(self.legal) and all(map(is_, actions, self.legal)):
+            self._table = table
+            if self._answers and self._answers[0] == table:
+                return self._answers[1], self._answers[2]
+        kinds, words = ask("answers", table, plain(actions))
+        return kinds, words
+
+    def answers_in(self, table: str, pairs: Sequence[tuple[Sequence[Ground], Sequence[Ground]]]) -> tuple[list, list]:
+        """What a table answers about actions in each of some states, one after the other; the last becomes current."""
+        states = [self.interpreted(state) for state, _ in pairs]
+        given = [plain(actions) for _, actions in pairs]
+        facts = FactNumbers()
+        asked, before = [], facts.of(states[0])
+        for state, actions in zip(states, given, strict=True):
+            now = facts.of(state)
+            gone, new = [each for each in before if each not in now], [each for each in now if each not in before]
+            asked.append([self.number(state.static), gone, new, actions])
+            before = now
+        self.visit(states[0])
+        self.forget()
+        kinds, words = ask("answers_in", table, facts.facts, asked)
+        self.current = pairs[-1][0]
+        return kinds, words
+
+    def forget_answers(self) -> None:
+        """To be called where a table will answer in another way."""
+        self._answers = []
+
     def forget(self) -> None:
         """To be called by who makes another state current behind this object's back."""
         self.current = self.situation = None
+        self.legal, self._answers = [], []
 
     def __copy__(self) -> Loaded:
         return self

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from bisect import bisect_left, insort
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import chain
 from typing import overload
 from weakref import WeakKeyDictionary
 
 from nppg.bridge.terms import Ground, plain, texts
+from nppg.logic.query import exact
 
 _LONGEST = 500  # changes in a row, after which a state knows its facts
 _MASK = 2**64 - 1
@@ -147,6 +149,29 @@ class Interpretation(Sequence[Ground]):
 
     def __str__(self) -> str:
         return ", ".join(texts((*self.static.facts, *self.facts)))
+
+
+class FactNumbers:
+    """Facts that states have in common, numbered from 1."""
+
+    def __init__(self) -> None:
+        self.facts: list[Ground] = []
+        self._numbers: dict[object, int] = {}
+
+    def of(self, state: Interpretation) -> dict[int, None]:
+        """The numbers of a state's facts, in order."""
+        facts = state.facts
+        keys: Sequence[object] = facts
+        if {*map(type, chain.from_iterable(facts))} != {str}:  # type: ignore[arg-type]
+            keys = [*map(exact, facts)]  # to Python 1 is equal to 1.0
+        found: dict[int, None] = {}
+        for key, fact in zip(keys, facts, strict=True):
+            number = self._numbers.get(key)
+            if number is None:
+                self.facts.append(fact)
+                number = self._numbers[key] = len(self.facts)
+            found[number] = None
+        return found
 
 
 def _mixed(fact: Ground) -> int:

@@ -21,11 +21,11 @@ test(no_such_problem, Start == []) :-
 test(a_change_and_a_situation, Answer == [0, [[at, a]], [[at, b]], [running, [[go, c]]]]) :-
     town(M),
     begin(M, 1, _),
-    act(M, false, [go, b], Answer).
+    take(M, false, [go, b], _, Answer).
 test(dead_end, Situation == [terminal, []]) :-
     town(M),
     begin(M, 2, _),
-    act(M, false, [go, d], [0, _, _, Situation]).
+    take(M, false, [go, d], _, [0, _, _, Situation]).
 test(certain, Change == [[[at, a]], [[at, b]]]) :-
     town(M),
     begin(M, 1, _),
@@ -33,7 +33,7 @@ test(certain, Change == [[[at, a]], [[at, b]]]) :-
 test(step_back, Situation == [running, [[go, b]]]) :-
     town(M),
     begin(M, 1, _),
-    act(M, false, [go, b], _),
+    take(M, false, [go, b], _, _),
     step(M, [[at, b]], [[at, a]], true),
     situation(M, Situation).
 test(visit_with_static_facts, Situation == [running, [[go, z]]]) :-
@@ -47,7 +47,7 @@ test(only_static, throws(nppg_fault(_:(problem/2), '~w is not static'-[at(a)])))
 test(no_effect_on_static_facts, throws(nppg_fault(_:(effect/3), _))) :-
     town(M),
     begin(M, 1, _),
-    act(M, false, [build, a], _).
+    take(M, false, [build, a], _, _).
 test(cost, Cost == 2) :-
     town(M),
     begin(M, 1, _),

@@ -1,0 +1,178 @@
+"""Which words of tests a table asks about which arguments of an action, and where each test's answer stands.
+
+Tests that ask the same, `clear(X)` and `clear(Y)` of `move(X, Y)`, are one *form*, of the arguments that they are about.
+Forms that are asked of the same places, here the first and the second argument, share words: each word is asked once in
+a state for every choice of arguments. See prolog/table.pl.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from nppg.bias.language_bias import LanguageBias
+from nppg.bias.refinement import KIND, is_open
+from nppg.bridge.terms import encoded
+from nppg.logic.query import Literal, Query, Var, substitute, variables
+
+WORD = 60  # tests in one integer: it stays a small one in Prolog
+BITS = 64  # of an integer in NumPy
+
+Place = tuple[int, tuple[int, ...]]  # a kind of action, and the positions of arguments, from 0
+Word = tuple["Form", ...]
+
+
+class Form(NamedTuple):
+    """What a test asks of so many arguments: its first variables are these, those of the goal come next."""
+
+    arity: int
+    query: Query
+
+    @property
+    def is_bound(self) -> bool:
+        """Whether its answer is a number, which takes a word of its own."""
+        return any(map(is_open, self.query))
+
+
+class Words:
+    """The words of a table, by the places that they are asked of."""
+
+    def __init__(self, bias: LanguageBias):
+        self.kinds = [_Kind() for _ in bias.actions]
+        self._bias = bias
+        self._places: dict[Form, list[Place]] = {}
+        self._forms: dict[tuple[Place, ...], list[Form]] = {}  # those that are asked of these places
+        self._words: dict[tuple[Place, ...], list[Word]] = {}  # the same, of new ones not yet
+        self._keys: dict[Word, int] = {}
+        self._last = 0
+
+    def add(self, tests: Iterable[tuple[int, Query]], bounds: Sequence[int] | None, size: int) -> tuple[list, ...]:
+        """Takes in new tests, each with its column, and tells what Prolog has to know: the keys of words that are asked
+        no more, new words, and the words of every kind. There are `size` columns now, among them those of tests with
+        `bounds`, which is None where answers are truth values."""
+        for column, test in tests:
+            for number, kind in enumerate(self.kinds):
+                if test[0].name == KIND:
+                    kind.always += [column] if test[0].args[0] == number else []
+                elif found := self._form(test, number):
+                    form, positions = found
+                    kind.columns[column] = found
+                    self._ask(form, (number, positions))
+        for places, forms in self._forms.items():
+            if places not in self._words:
+                self._words[places] = list(_words(forms))
+        old, self._keys = self._keys, {}
+        for word in (word for own in self._words.values() for word in own):
+            self._keys[word] = old.get(word) or self._last + 1
+            self._last = max(self._last, self._keys[word])
+        new = [[key, word[0].arity, _data(word)] for word, key in self._keys.items() if word not in old]
+        asked: list[list] = [[] for _ in self.kinds]
+        for number, kind in enumerate(self.kinds):
+            stands: dict[tuple[Form, tuple[int, ...]], tuple[int, int]] = {}
+            for places, own in self._words.items():
+                for positions in (positions for each, positions in places if each == number):
+                    alone = len(places) == 1 and len(positions) == len(self._bias.actions[number].types) > 0
+                    for word in own:
+                        stands |= {(form, positions): (len(asked[number]), i) for i, form in enumerate(word)}
+                        asked[number].append([self._keys[word], [i + 1 for i in positions], str(alone).lower()])
+            kind.update(stands, len(asked[number]), size, bounds)
+        return [key for word, key in old.items() if word not in self._keys], new, asked
+
+    def _ask(self, form: Form, place: Place) -> None:
+        """Asks a form of one more place."""
+        old = self._places.get(form, [])
+        if place not in old:
+            if old:
+                self._forms[tuple(old)].remove(form)
+                self._words.pop(tuple(old), None)
+            self._places[form] = new = sorted([*old, place])
+            self._forms.setdefault(tuple(new), []).append(form)
+            self._words.pop(tuple(new), None)
+
+    def _form(self, test: Query, kind: int) -> tuple[Form, tuple[int, ...]] | None:
+        """What a test asks, and of which arguments of an action of this kind; None if it is about another kind's, so
+        that it never holds."""
+        first, end = self._bias.offsets[kind : kind + 2]
+        goal, roots = self._bias.offsets[-1], len(self._bias.roots)
+        used = variables(test)
+        arguments = [var for var in used if var.index < goal]
+        if not all(first <= var.index < end for var in arguments):
+            return None
+        numbers = {var: i for i, var in enumerate(arguments)}
+        numbers |= {Var(index): len(arguments) + index - goal for index in range(goal, roots)}
+        existential = [var for var in used if var.index >= roots]
+        numbers |= {var: len(arguments) + roots - goal + i for i, var in enumerate(existential)}
+        form = Form(len(arguments), substitute(test, {var: Var(i) for var, i in numbers.items()}))
+        return form, tuple(var.index - first for var in arguments)
+
+
+class _Kind:
+    """Where the answers about actions of one kind stand."""
+
+    def __init__(self) -> None:
+        self.columns: dict[int, tuple[Form, tuple[int, ...]]] = {}  # what a column asks, of which arguments
+        self.always: list[int] = []
+        self.words = 0
+        self._places: np.ndarray = np.empty(0, np.intp)  # of each column's bit; that of none is never set
+        self._bits: list[int] = []  # words of truth values
+        self._values: list[tuple[int, int]] = []  # words of one number, with their column
+        self._limitless: np.ndarray | None = None  # answers where nothing holds, if they are numbers
+
+    def update(
+        self, stands: dict[tuple[Form, tuple[int, ...]], tuple[int, int]], words: int, size: int, bounds: Sequence[int] | None
+    ) -> None:
+        """`stands` has the word and the bit of what is asked."""
+        self._places = np.full(size, WORD)
+        self._values = [(stands[asked][0], column) for column, asked in self.columns.items() if asked[0].is_bound]
+        numbers = {word for word, _ in self._values}
+        self._bits = [word for word in range(words) if word not in numbers]
+        place = {word: i for i, word in enumerate(self._bits)}
+        for column, asked in self.columns.items():
+            word, bit = stands[asked]
+            if word in place:
+                self._places[column] = place[word] * BITS + bit
+        self.words = words
+        if bounds is not None:
+            self._limitless = np.ones(size)
+            self._limitless[list(bounds)] = np.inf
+
+    def rows(self, words: list, starts: Sequence[int]) -> np.ndarray:
+        """The answers to all columns about actions whose words start there."""
+        count = len(starts)
+        if self._values or len(words) != count * self.words:
+            bits = [words[start + i] for start in starts for i in self._bits]
+        else:
+            bits = words
+        found = unpacked(np.array(bits, "<i8").reshape(count, -1)) if self._bits else np.zeros((count, BITS), bool)
+        result = found.take(self._places, axis=1)
+        if self.always:
+            result[:, self.always] = True
+        if self._limitless is None:
+            return result
+        numbers = np.where(result, 0.0, self._limitless)
+        for word, column in self._values:
+            numbers[:, column] = [words[start + word] for start in starts]
+        return numbers
+
+
+def _words(forms: Sequence[Form]) -> Iterator[Word]:
+    truths = [form for form in forms if not form.is_bound]
+    yield from (tuple(truths[i : i + WORD]) for i in range(0, len(truths), WORD))
+    yield from ((form,) for form in forms if form.is_bound)
+
+
+def _data(word: Word) -> list:
+    return measure(word[0].query) if word[0].is_bound else [encoded(form.query) for form in word]
+
+
+def measure(test: Query) -> list:
+    """What decides a test with a bound, as prolog/test_clauses.pl reads it: the bound first."""
+    bound = next(filter(is_open, test))
+    return ["measure", encoded((Literal(bound.name, (bound.args[0], 0)), *(each for each in test if each != bound)))]
+
+
+def unpacked(words: np.ndarray) -> np.ndarray:
+    """Unpacks the words of each row, in order, to booleans of shape (rows, 64 * words per row)."""
+    return np.unpackbits(words.view(np.uint8), axis=1, bitorder="little").view(bool)
