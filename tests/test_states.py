@@ -107,8 +107,7 @@ def test_large_states_of_a_users_own_take_their_static_facts_along(roads: Domain
     assert roads.situation(other).actions == [("go", "a", "c")]
 
 
-def test_tests_are_about_the_state_that_is_seen(tmp_path: Path) -> None:
-    text = """\
+FOG = """\
 :- module(fog, []).
 :- fluent wet/1.
 start([wet(1)]).
@@ -117,6 +116,17 @@ effect(take(_), [], []).
 goal :- wet(0).
 observation([wet(2)]).
 """
+
+
+def test_many_actions_are_found_in_one_question(tmp_path: Path, monkeypatch) -> None:
+    domain = Domain(written(tmp_path, FOG))
+    asked: list[str] = []
+    monkeypatch.setattr("nppg.worlds.legal.ask", lambda *question: asked.append(question[0]) or ask(*question))
+    assert len(list(domain.situation(domain.start(np.random.default_rng(0))).actions)) == 150
+    assert asked == ["all_legal"]
+
+
+def test_tests_are_about_the_state_that_is_seen(tmp_path: Path) -> None:
     bias = """\
 action: take(+number)
 modes:
@@ -124,7 +134,7 @@ modes:
 types:
   wet: [number]
 """
-    domain = Domain(written(tmp_path, text))
+    domain = Domain(written(tmp_path, FOG))
     state = domain.start(np.random.default_rng(0))
     seen = domain.observe(state, np.random.default_rng(0))
     actions = domain.situation(state).actions

@@ -77,6 +77,18 @@ def test_several_kinds_of_actions_are_learned_by_a_model_for_each(delivery: Doma
     assert evaluate(policy, 200).success > 0.7
 
 
+@pytest.mark.parametrize("options", [{}, {"step": "second-order", "line_search": 1}, {"models": "per-action"}])
+def test_answers_that_are_asked_late_teach_the_same(monkeypatch, delivery, delivery_bias, options: dict) -> None:
+    """A policy of large tables asks its own tests alone, and the rest is asked about what trees are grown from."""
+    policies = []
+    for most in (0, 10**6):
+        monkeypatch.setattr("nppg.learning.training._LARGE", most)
+        policies.append(learned(delivery, delivery_bias, episodes=60, min_examples=30, **options))
+    late, early = policies
+    assert late.trees == early.trees and len(late.trees) > 2
+    assert len(late.table) < len(early.table)
+
+
 def learned(domain: Domain, bias, **options) -> Policy:
     *_, last = train(domain, bias, Options(**options))
     return last.policy

@@ -115,6 +115,8 @@ class TestTable(Table):
         ask("tests", self.name, *self._words.add(tests, self.bounds if self.numeric else None, len(self)))
 
     def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
+        if not self.tests:
+            return np.empty((len(actions), 0), float if self.numeric else bool)
         try:
             return self._asked(state, actions)
         except NppgError as error:

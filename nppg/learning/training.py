@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from nppg.answers.table import Table, TestTable
 from nppg.bias.language_bias import LanguageBias
 from nppg.learning.critic import critic
 from nppg.learning.episode import Episode, Step, training_episodes
@@ -21,6 +22,8 @@ from nppg.trees.tilde import Newton, size_of
 from nppg.trees.tree import leaves
 from nppg.worlds.domain import Domain
 from nppg.worlds.world import Action, State
+
+_LARGE = 200  # a table of more tests is asked about steps that trees learn from alone: most of a large world's teach none
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,9 +40,10 @@ def updated_actions(step: Step, options: Options) -> slice:
     return slice(None) if options.update == "all" else slice(step.chosen, step.chosen + 1)
 
 
-def examples(batch: Sequence[Visit], options: Options, trees: int = 0) -> Examples:
+def examples(batch: Sequence[Visit], options: Options, trees: int = 0, table: Table | None = None) -> Examples:
     """The functional gradient at each updated action b (Proposition 3.1); for a second-order step also the curvature
-    |value| pi(s, b) (1 - pi(s, b)), and lambda as it is after so many trees."""
+    |value| pi(s, b) (1 - pi(s, b)), and lambda as it is after so many trees. The answers are those of the steps; where a
+    table is given, its own, which are asked for now."""
     states: list[State] = []
     actions: list[Action] = []
     answers, gradients, curvatures = [], [], []
@@ -52,9 +56,12 @@ def examples(batch: Sequence[Visit], options: Options, trees: int = 0) -> Exampl
         else:
             gradients.append(np.array([taken_gradient(probabilities, step.chosen, value, importance)]))
         curvatures.append((abs(value) * probabilities * (1 - probabilities))[updated])
-        answers.append(step.answers[updated])
+        if table is None:
+            answers.append(step.answers[updated])
         actions += step.actions[updated]
         states += [step.state] * len(gradients[-1])
+    if table is not None:
+        answers.append(table.answers_in([(step.state, step.actions[updated_actions(step, options)]) for step, *_ in batch]))
     regularisation = options.regularisation * (1 + options.regularisation_growth * trees)
     newton = Newton(np.concatenate(curvatures), regularisation, options.clip)
     return Examples(
@@ -73,11 +80,15 @@ def wanted(trees: int, options: Options) -> float:
 
 
 def train(domain: Domain, bias: LanguageBias, options: Options | None = None) -> Iterator[Iteration]:
-    """Yields after each tree, the first time before the first one. Raises NppgError."""
+    """Yields after each tree, the first time before the first one. Raises NppgError.
+
+    A policy asks what its trees test. It shares the learner's table, so that its steps have the answers that trees are
+    grown from, unless that is large."""
     options = options or Options()
     rng = np.random.default_rng(options.seed)
     learner, judge = regressor(domain, bias, options), critic(domain, bias, options)
-    policy = Policy(domain, bias, learner.table)
+    late = isinstance(learner.table, TestTable) and len(learner.table) > _LARGE and not options.replay
+    policy = Policy(domain, bias, None if late else learner.table)
     memory: deque[Visit] = deque(maxlen=options.replay)
     batch: list[Visit] = []
     recent: list[Episode] = []
@@ -95,7 +106,8 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None) ->
         if enough:
             learned = normalised(kept(batch, options), options)
             replayed = [revisited(visit, policy) for visit in memory]
-            tree = learner.fit(examples([*replayed, *learned], options, grown))
+            made = examples([*replayed, *learned], options, grown, learner.table if late else None)
+            tree = learner.fit(made)
             eta = step_size(tree, learned, policy, options)
             memory.extend(visit for visit in learned if visit.value != 0)
             policy.add(tree, eta, f"step size {eta}, {gathered} examples, {leaves(tree)} leaves")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import overload
 
 from nppg.bridge.prolog import ask
@@ -48,6 +48,9 @@ class LegalActions(Sequence[Action]):
             data = ask("nth_legal", self._loaded.module, self.serial, int(index))
             (self._known[index],) = compounds([data])
         return self._known[index]
+
+    def __iter__(self) -> Iterator[Action]:
+        return iter(self.all)  # one by one each would be a question
 
     def __eq__(self, other: object) -> bool:
         return self is other or (isinstance(other, list | LegalActions) and self.all == list(other))
