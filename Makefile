@@ -21,8 +21,8 @@ lint: setup  ## style, types, and the walls between the rooms of nppg/
 	$(bin)/mypy nppg
 	$(bin)/lint-imports --no-logo
 
-test: lint  ## what lint does, then every test
-	$(bin)/pytest -q
+test: lint  ## what lint does, then every test, on all cores
+	$(bin)/pytest -q -n auto --dist worksteal
 
 bench: setup  ## the speed table of docs/performance.md
 	$(bin)/python -m benchmarks

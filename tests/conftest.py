@@ -71,6 +71,12 @@ def space() -> Space:
     return Space(Domain("blocks_world"))
 
 
+@pytest.fixture(scope="session")
+def four(four_blocks: Domain) -> Space:
+    """All states of the four-block world; to enumerate and check them takes longer than to judge a policy on them."""
+    return Space(four_blocks)
+
+
 @pytest.fixture
 def bias_of(tmp_path: Path) -> Callable[[str], LanguageBias]:
     """Reads a language bias from its text."""
@@ -83,10 +89,20 @@ def bias_of(tmp_path: Path) -> Callable[[str], LanguageBias]:
     return load
 
 
+@pytest.fixture(scope="session")
+def refiners(
+    plain_bias: LanguageBias, relational_bias: LanguageBias, delivery_bias: LanguageBias
+) -> dict[str, Refiner]:
+    """Shared, since a refiner remembers what it has computed."""
+    return {"plain": Refiner(plain_bias), "relational": Refiner(relational_bias), "delivery": Refiner(delivery_bias)}
+
+
 @pytest.fixture(params=["plain", "relational", "delivery"])
-def setting(request: pytest.FixtureRequest) -> tuple[Domain, LanguageBias, Refiner, TestTable]:
-    """A domain, a bias for it, and the refiner and the root table of that bias."""
+def setting(
+    request: pytest.FixtureRequest, refiners: dict[str, Refiner]
+) -> tuple[Domain, LanguageBias, Refiner, TestTable]:
+    """A domain, a bias for it, and the refiner and a root table of that bias."""
     domain = request.getfixturevalue("delivery" if request.param == "delivery" else "blocks")
     bias = request.getfixturevalue(f"{request.param}_bias")
-    refiner = Refiner(bias)
+    refiner = refiners[request.param]
     return domain, bias, refiner, root_table(domain, bias, refiner)

@@ -206,7 +206,7 @@ def in_plain_prolog(model: Path, states: Sequence[State]) -> list[tuple[str, flo
         env={**os.environ, "SWI_HOME_DIR": str(swipl)},
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=120,
     )
     assert not result.stderr, result.stderr
     lines = [line.rsplit(" ", 1) for line in result.stdout.splitlines()]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -290,8 +291,8 @@ def test_files(tmp_path: Path) -> None:
 
 
 def test_garbage(tmp_path: Path) -> None:
-    assert "a domain starts with" in problem(tmp_path, np.random.default_rng(0).bytes(10_000_000))
-    said = problem(tmp_path, text() + "foo( ].\n" * 20_000)
+    assert "a domain starts with" in problem(tmp_path, np.random.default_rng(0).bytes(1_000_000))
+    said = problem(tmp_path, text() + "foo( ].\n" * 2_000)
     assert "Syntax error" in said and len(said) < 10_000
 
 
@@ -486,12 +487,21 @@ def test_actions_that_the_bias_does_not_have(tmp_path: Path) -> None:
         list(train(domain, bias, Options(episodes=3)))
 
 
-@pytest.fixture
-def model(tmp_path: Path) -> Path:
-    domain, bias = walk(tmp_path, start="start([at(1)]).\n")
+@pytest.fixture(scope="module")
+def trained(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a model and its domain."""
+    folder = tmp_path_factory.mktemp("trained")
+    domain, bias = walk(folder, start="start([at(1)]).\n")
     *_, last = train(domain, bias, Options(episodes=300, min_examples=5))
     assert last.policy.trees
-    last.policy.save(tmp_path / "model.pl")
+    last.policy.save(folder / "model.pl")
+    return folder
+
+
+@pytest.fixture
+def model(trained: Path, tmp_path: Path) -> Path:
+    """A copy, to change."""
+    shutil.copytree(trained, tmp_path, dirs_exist_ok=True)
     return tmp_path / "model.pl"
 
 

@@ -118,18 +118,29 @@ def test_new_writes_what_checks_and_trains_and_overwrites_nothing(
     assert (tmp_path / "errands.pl").read_text() == "mine"
 
 
-def start(folder: Path, *options: str, **settings: object) -> subprocess.Popen:
-    arguments = ["train", "blocks_world", "--episodes", "100000", "--evaluate-every", "0", "--output", str(folder)]
-    return subprocess.Popen([*COMMAND, *arguments, *options], **settings)  # type: ignore[call-overload,no-any-return]
+TREES_TOLD = """
+import sys
+from nppg.cli.main import main
+from nppg.policy.policy import Policy
+
+def add(*arguments, added=Policy.add):
+    added(*arguments)
+    print("tree", flush=True)
+
+Policy.add = add
+sys.exit(main(sys.argv[1:]))
+"""
 
 
 def test_an_interrupted_run_keeps_what_it_has_learned(tmp_path: Path) -> None:
-    process = start(tmp_path, stderr=subprocess.PIPE, text=True)
-    time.sleep(4)
+    arguments = ["train", "blocks_world", "--episodes", "100000", "--evaluate-every", "0", "--output", str(tmp_path)]
+    command = [sys.executable, "-c", TREES_TOLD, *arguments]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert process.stdout and [process.stdout.readline() for _ in range(3)] == ["tree\n"] * 3
     process.send_signal(signal.SIGINT)
     time.sleep(0.06)
     process.send_signal(signal.SIGINT)  # saved without a curve, it is about to exit
-    _, errors = process.communicate(timeout=30)
+    _, errors = process.communicate(timeout=120)
     assert process.returncode == 130 and errors == "interrupted\n"
     assert json.loads((tmp_path / "run.json").read_text())["trees"] > 0
     assert main(["evaluate", str(tmp_path / "model.pl"), "--starts", "5", "--json"]) == 0
@@ -148,7 +159,7 @@ def test_a_terminal_gets_a_progress_bar(tmp_path: Path) -> None:
             shown += data
     except OSError:
         pass
-    assert process.wait(timeout=30) == 0
+    assert process.wait(timeout=120) == 0
     assert b"30/30" in shown and b"trees=" in shown
 
 
@@ -161,7 +172,7 @@ def test_an_interrupt_while_starting_ends_with_status_130(delay: float, tmp_path
         assert process.stdout and process.stdout.readline() == "ready\n"
         time.sleep(delay)
         process.send_signal(signal.SIGINT)
-        assert (process.communicate(timeout=60)[1], process.returncode) == ("interrupted\n", 130)
+        assert (process.communicate(timeout=120)[1], process.returncode) == ("interrupted\n", 130)
 
 
 def test_a_warning_is_told_at_once_and_once(capsys: pytest.CaptureFixture[str]) -> None:

@@ -222,5 +222,5 @@ def test_a_pickled_policy_is_itself_in_another_process(tmp_path: Path) -> None:
         "print(policy.potentials(state, policy.domain.situation(state).actions).tolist())"
     )
     command = [sys.executable, "-c", program, str(tmp_path / "policy")]
-    printed = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True).stdout
+    printed = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True).stdout
     assert printed.strip() == str(policy.potentials(state, domain.situation(state).actions).tolist())

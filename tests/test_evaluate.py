@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import cache
 from itertools import product
 from random import Random
 
@@ -14,6 +16,7 @@ from nppg.answers.coverage import root_table
 from nppg.bias.refinement import Refiner
 from nppg.errors import NppgError
 from nppg.judging.evaluation import Evaluation, ExactEvaluator, evaluate, evaluate_exactly
+from nppg.judging.space import Space
 from nppg.learning.episode import longest
 from nppg.learning.options import Options
 from nppg.learning.training import train
@@ -47,31 +50,43 @@ def all_starts(blocks: int) -> list[tuple]:
     return found
 
 
-def success(policy: Policy, state: tuple, steps: int, greedy: bool) -> tuple[float, float]:
-    """The probability of the goal within so many steps, and their expected number, by recursion."""
+def moves(policy: Policy, state: tuple, greedy: bool) -> tuple[str, list[tuple[float, tuple]]]:
+    """The status of a state, and where its actions lead to with which probability."""
     status, actions = policy.domain.situation(state)
-    if status != "running" or steps == 0:
-        return float(status == "goal"), 0.0
+    if status != "running":
+        return status, []
     pi = policy.distribution(state, actions)
     if greedy:
         best = pi >= pi.max() * (1 - 1e-9)
         pi = best / best.sum()
-    value, length = 0.0, 1.0
+    found = []
     for action, outcomes in policy.domain.neighbours(state):
         ((_, following),) = outcomes
-        chance, more = success(policy, following, steps - 1, greedy)
-        value += pi[actions.index(action)] * chance
-        length += pi[actions.index(action)] * more
+        found.append((float(pi[actions.index(action)]), following))
+    return status, found
+
+
+def success(moves_of: Callable[[tuple], tuple[str, list]], state: tuple, steps: int) -> tuple[float, float]:
+    """The probability of the goal within so many steps, and their expected number, by recursion."""
+    status, found = moves_of(state)
+    if status != "running" or steps == 0:
+        return float(status == "goal"), 0.0
+    value, length = 0.0, 1.0
+    for probability, following in found:
+        chance, more = success(moves_of, following, steps - 1)
+        value += probability * chance
+        length += probability * more
     return value, length
 
 
 @pytest.mark.parametrize("greedy", [False, True])
 @pytest.mark.parametrize("factor", [0.6, 1.1, 1.25])
-def test_exact_evaluation_is_plain_enumeration(policy: Policy, greedy: bool, factor: float) -> None:
+def test_exact_evaluation_is_plain_enumeration(policy: Policy, four: Space, greedy: bool, factor: float) -> None:
     starts = all_starts(4)
     assert len(starts) == 60
-    found = [success(policy, state, longest(policy.domain.horizon(state), factor), greedy) for state in starts]
-    exact = evaluate_exactly(policy, greedy, factor)
+    moves_of = cache(lambda state: moves(policy, state, greedy))  # each state is come by on many ways
+    found = [success(moves_of, state, longest(policy.domain.horizon(state), factor)) for state in starts]
+    exact = ExactEvaluator(policy, four).evaluate(greedy, factor)
     assert exact.success == pytest.approx(np.mean([each[0] for each in found]), rel=1e-12)
     assert exact.mean_steps == pytest.approx(np.mean([each[1] for each in found]), rel=1e-12)
     assert (exact.starts, exact.exact, exact.greedy) == (60, True, greedy)
@@ -106,9 +121,9 @@ def test_samples_agree_with_the_exact_value(policy: Policy, greedy: bool) -> Non
     assert abs(sampled.mean_steps - exact.mean_steps) < 4 * 1.5 / math.sqrt(sampled.starts)
 
 
-def test_the_uniform_policy_on_ten_blocks(blocks: Domain, plain_bias) -> None:
+def test_the_uniform_policy_on_ten_blocks(space: Space, plain_bias) -> None:
     """1.3098 % of all 54,344,538 starts in the minimal number of moves."""
-    evaluator = ExactEvaluator(Policy(blocks, plain_bias))
+    evaluator = ExactEvaluator(Policy(space.domain, plain_bias), space)
     result = evaluator.evaluate()
     assert result.starts == 54_344_538
     assert round(100 * result.success, 4) == 1.3098
@@ -156,7 +171,7 @@ def test_samples_are_reproduced_by_their_seed(policy: Policy) -> None:
     assert len({evaluate(policy, 50, seed=seed) for seed in range(4)}) == 4
 
 
-def test_evaluation_does_not_touch_training(four_blocks: Domain, plain_bias) -> None:
+def test_evaluation_does_not_touch_training(four_blocks: Domain, four: Space, plain_bias) -> None:
     def learned(look) -> list[list[str]]:
         for iteration in train(four_blocks, plain_bias, Options(episodes=40, seed=2)):
             policy = iteration.policy
@@ -165,7 +180,7 @@ def test_evaluation_does_not_touch_training(four_blocks: Domain, plain_bias) -> 
 
     def both(policy: Policy) -> None:
         evaluate(policy, 5, seed=2)
-        evaluate_exactly(policy, greedy=True)
+        ExactEvaluator(policy, four).evaluate(greedy=True)
 
     undisturbed = learned(lambda policy: None)
     assert len(undisturbed) >= 3 and learned(both) == undisturbed

@@ -182,7 +182,7 @@ def test_plain_prolog_loads_explained_rules(run: Path) -> None:
         env={**os.environ, "SWI_HOME_DIR": str(home)},
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=120,
     )
     assert (result.stdout, result.stderr) == ("move(b1,b2)", "")
 

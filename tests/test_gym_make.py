@@ -91,7 +91,7 @@ def test_without_gymnasium_the_mend_is_named() -> None:
     hidden = "import sys; sys.modules['gymnasium'] = None"
     program = f"{hidden}\nfrom nppg.cli.main import main\nsys.exit(main(sys.argv[1:]))"
     command = [sys.executable, "-c", program]
-    result = subprocess.run([*command, "check", "gym:CartPole-v1"], capture_output=True, text=True, timeout=60)
+    result = subprocess.run([*command, "check", "gym:CartPole-v1"], capture_output=True, text=True, timeout=120)
     assert result.returncode == 2
     assert result.stderr == "gym:CartPole-v1 needs gymnasium, which is not installed: pip install 'nppg[gym]'\n"
-    assert subprocess.run([*command, "check", "delivery"], capture_output=True, timeout=60).returncode == 0
+    assert subprocess.run([*command, "check", "delivery"], capture_output=True, timeout=120).returncode == 0

@@ -39,13 +39,14 @@ def test_one_door(tmp_path: Path, learner: str, capsys: pytest.CaptureFixture) -
 @every_learner
 def test_it_yields_before_it_learns_and_after_the_last_episode(delivery: Domain, delivery_bias, learner: str) -> None:
     """With every episode once, and of several kinds of actions."""
-    iterations = list(train(delivery, delivery_bias, LEARNERS[learner](episodes=600, seed=3)))
+    episodes = 600 if learner == "tg" else 200  # its leaves wait for more examples before they split
+    iterations = list(train(delivery, delivery_bias, LEARNERS[learner](episodes=episodes, seed=3)))
     assert iterations[0].episodes == 0 and not iterations[0].recent
     played = 0
     for each in iterations:
         played += len(each.recent)
         assert each.episodes == played
-    assert played == 600
+    assert played == episodes
     assert evaluate(iterations[-1].policy, 50).success > 0
 
 

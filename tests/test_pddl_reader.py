@@ -507,11 +507,11 @@ def test_large_files_are_read_in_time(tmp_path: Path) -> None:
     facts = "\n".join(f"(next c{index} c{index + 1})" for index in range(4_999))
     wrong = "\n".join(f"(next d{index} e{index + 1})" for index in range(4_999))
     path = tmp_path / "problem.pddl"
-    start = time.perf_counter()
+    start = time.process_time()
     path.write_text(f"(define (problem p) {body} (:init {facts}))", encoding="utf-8")
     assert len(read_problem(path, domain).init) == 4_999
     path.write_text(f"(define (problem p) {body} (:init {wrong}))", encoding="utf-8")
     with pytest.raises(NppgError) as error:
         read_problem(path, domain)
     assert len(error.value.problems) == 2 * 4_999
-    assert time.perf_counter() - start < 10
+    assert time.process_time() - start < 10

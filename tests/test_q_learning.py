@@ -12,6 +12,7 @@ from nppg import Domain, evaluate, evaluate_exactly, train
 from nppg.cli.main import main
 from nppg.experiments.learners import LEARNERS
 from nppg.judging.evaluation import ExactEvaluator
+from nppg.judging.space import Space
 from nppg.rrl.options import QOptions, TGOptions
 from nppg.rrl.qfunction import QFunction
 from nppg.rrl.regressors import regressor
@@ -62,18 +63,21 @@ def test_epsilon_greedy_exploration(learned: QFunction) -> None:
     assert policy.probabilities_of(-q) == pytest.approx([0.05, 0.05, 0.85, 0.05])
 
 
+@pytest.fixture(scope="module")
+def three() -> Space:
+    return Space(Domain("blocks_world", {"blocks": 3}))
+
+
 @pytest.mark.parametrize(
     "options", [{"temperature": 1e12}, {"exploration": "epsilon-greedy", "epsilon": 1.0}, {"temperature": 1e-9}]
 )
 @pytest.mark.parametrize("unit", [1.0, -1.0, 2.0**-40, 2.0**40])
-def test_what_is_greedy_hangs_on_q_and_not_on_the_exploration(options: dict, unit: float) -> None:
+def test_what_is_greedy_hangs_on_q_and_not_on_the_exploration(
+    three: Space, plain_bias, options: dict, unit: float
+) -> None:
     """Nor on the unit of the rewards; and evaluation, sampled and exact, goes by the same best actions."""
-    from nppg.bias.language_bias import LanguageBias
-    from nppg.bridge.files import locate
-
-    domain = Domain("blocks_world", {"blocks": 3})
-    bias = LanguageBias.load(locate("blocks_world", "language_bias", ".yaml"))
-    policy = QFunction(regressor(domain, bias, TGOptions()), TGOptions(**options))
+    domain = three.domain
+    policy = QFunction(regressor(domain, plain_bias, TGOptions()), TGOptions(**options))
     rng = np.random.default_rng(0)
     of_pair: dict = {}
 
@@ -88,9 +92,9 @@ def test_what_is_greedy_hangs_on_q_and_not_on_the_exploration(options: dict, uni
         values = policy.potentials(state, actions)
         found = {policy.act(state, rng) for _ in range(60)}
         assert found == {action for action, value in zip(actions, values, strict=True) if value == values.max()}
-    exact = evaluate_exactly(policy).success
-    assert evaluate(policy, 400).success == pytest.approx(exact, abs=4.5 * 0.5 / 20)
-    assert any(each == 0 for each in ExactEvaluator(policy).probabilities(True))
+    judge = ExactEvaluator(policy, three)
+    assert evaluate(policy, 400).success == pytest.approx(judge.evaluate().success, abs=4.5 * 0.5 / 20)
+    assert any(each == 0 for each in judge.probabilities(True))
 
 
 def test_value_functions_play_greedily(learned: QFunction, tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
@@ -127,9 +131,10 @@ def test_value_functions_act_greedily_wherever_they_do_not_learn(learned: QFunct
     assert worse[False] == 0 < worse[True]
 
 
-def test_value_functions_are_evaluated_greedily(learned: QFunction) -> None:
-    assert evaluate_exactly(learned) == evaluate_exactly(learned, greedy=True)
-    assert evaluate_exactly(learned).greedy and evaluate(learned, 50) == evaluate(learned, 50, greedy=True)
+def test_value_functions_are_evaluated_greedily(learned: QFunction, four: Space) -> None:
+    judge = ExactEvaluator(learned, four)
+    assert judge.evaluate() == judge.evaluate(greedy=True)
+    assert judge.evaluate().greedy and evaluate(learned, 50) == evaluate(learned, 50, greedy=True)
 
 
 # On seeds 0 to 4 the successes are 0.80 to 0.97, 0.96 to 0.98 and 0.95 to 1.

@@ -70,14 +70,15 @@ modes:
 OWN = {"small": SMALL, "deep": DEEP, "numeric": NUMERIC}
 
 
-@pytest.fixture(params=["plain", "relational", "delivery", *OWN])
-def refiner(request, bias_of) -> Refiner:
+@pytest.fixture(scope="module", params=["plain", "relational", "delivery", *OWN])
+def refiner(request) -> Refiner:
+    """One for all laws, since it remembers what it has computed."""
     if request.param in OWN:
-        return Refiner(bias_of(OWN[request.param]))
+        return Refiner(LanguageBias.parse(OWN[request.param], "bias.yaml"))
     return Refiner(request.getfixturevalue(f"{request.param}_bias"))
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def queries(refiner: Refiner) -> list[Query]:
     return [(), *(random_query(refiner, 1 + seed % 3, Random(seed)) for seed in range(6))]
 

@@ -17,7 +17,7 @@ from nppg.judging.space import Space
 from nppg.policy.policy import Policy
 from nppg.trees.tree import Leaf
 
-SMALL = ["--runs", "2", "--episodes", "100", "--set", "blocks=4", "--jobs", "2", "--output"]
+SMALL = ["--runs", "2", "--episodes", "100", "--set", "blocks=3", "--jobs", "2", "--output"]
 
 
 @pytest.fixture(scope="module")
@@ -47,7 +47,7 @@ def test_a_figure_is_the_mean_of_its_runs(done: Path) -> None:
         assert float(row["exact_sd"]) == pytest.approx(np.std(success), abs=1e-6)
         assert abs(float(row["sampled_mean"]) - float(row["exact_mean"])) < 0.06
     report = (done / "figure1.md").read_text()
-    assert "reproduce figure1 --runs 2 --episodes 100 --set blocks=4" in report and "| RRL-TRENDI |" in report
+    assert "reproduce figure1 --runs 2 --episodes 100 --set blocks=3" in report and "| RRL-TRENDI |" in report
     assert (done / "figure1.png").stat().st_size > 10_000
 
 
@@ -64,10 +64,10 @@ def test_finished_runs_are_not_done_again(done: Path, capsys: pytest.CaptureFixt
 
 def test_other_settings_are_other_runs(done: Path) -> None:
     experiment = EXPERIMENTS["figure1"]
-    assert all(job.is_finished() for job in jobs_of(experiment, 2, 100, {"blocks": 4}, done))
-    for episodes, parameters in ((200, {"blocks": 4}), (100, {"blocks": 5}), (100, {})):
+    assert all(job.is_finished() for job in jobs_of(experiment, 2, 100, {"blocks": 3}, done))
+    for episodes, parameters in ((200, {"blocks": 3}), (100, {"blocks": 5}), (100, {})):
         assert not any(job.is_finished() for job in jobs_of(experiment, 2, episodes, parameters, done))
-    assert not jobs_of(experiment, 3, 100, {"blocks": 4}, done)[2].is_finished()
+    assert not jobs_of(experiment, 3, 100, {"blocks": 3}, done)[2].is_finished()
 
 
 def test_figure2_takes_the_runs_that_are_there(done: Path, capsys: pytest.CaptureFixture) -> None:

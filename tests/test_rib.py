@@ -269,21 +269,21 @@ def test_distances_are_remembered(monkeypatch: pytest.MonkeyPatch, remembered: i
 
 @pytest.mark.parametrize("removal", ["error-contribution", "maximum-variance"])
 def test_soak(removal: str) -> None:
-    """20,000 examples: memory stays bounded, what is kept incrementally stays exact, and something is learned."""
+    """8,000 examples: memory stays bounded, what is kept incrementally stays exact, and something is learned."""
     points, rng = Points(3000, seed=5), np.random.default_rng(6)
     truth = np.tanh(points.table[0] - points.table[1])
     instances = Instances(points, RIBOptions(max_instances=100, removal=removal, max_gradient=1.0))
     weights = instances._weights
     full = 0
-    for count, pair in enumerate(rng.integers(3000, size=20_000).tolist()):
+    for count, pair in enumerate(rng.integers(3000, size=8_000).tolist()):
         instances.update(pair, float(truth[pair] + 0.05 * rng.normal()))
         full += len(instances) == 100
-        if count % 4000 == 0:
+        if count % 2000 == 0:
             pairs = instances.pairs
             assert len(set(pairs.tolist())) == len(pairs) == len(instances) <= 100
             wanted = 1 / (points.rows(pairs, pairs) + np.diag(np.full(len(pairs), np.inf)))
             assert (weights[: len(pairs), : len(pairs)] == wanted.astype(np.float32)).all()
-    assert full > 10_000 and instances._weights is weights and weights.shape == (101, 101)
+    assert full > 4_000 and instances._weights is weights and weights.shape == (101, 101)
     error = np.sqrt(np.mean((instances.predict(np.arange(3000)) - truth) ** 2))
     assert error < 0.75 * truth.std()
 

@@ -249,7 +249,7 @@ def test_a_second_interrupt_does_not_lose_the_run(tmp_path: Path, milliseconds: 
     process.send_signal(signal.SIGINT)
     time.sleep(milliseconds / 1000)
     process.send_signal(signal.SIGINT)
-    _, errors = process.communicate(timeout=30)
+    _, errors = process.communicate(timeout=120)
     assert process.returncode == 130 and errors == "interrupted\n"
     assert (tmp_path / "curve.png").exists() and Policy.load(tmp_path / "model.pl").trees
     assert not list(tmp_path.glob(".*"))

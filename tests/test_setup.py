@@ -53,7 +53,7 @@ class Machine:
 
     def setup(self, **environment: str) -> subprocess.CompletedProcess[str]:
         variables = {"PATH": str(self.base / "bin"), "HOME": str(self.base)} | environment
-        return subprocess.run(["./setup"], cwd=self.project, env=variables, capture_output=True, text=True, timeout=30)
+        return subprocess.run(["./setup"], cwd=self.project, env=variables, capture_output=True, text=True, timeout=120)
 
     def refusal(self, **environment: str) -> str:
         """The one line on which the script stops."""

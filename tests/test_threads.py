@@ -53,7 +53,7 @@ def elsewhere(question: Callable[[], object]) -> object:
 
     thread = threading.Thread(target=ask, name="other")
     thread.start()
-    thread.join(60)
+    thread.join(120)
     return found[0]
 
 
@@ -122,7 +122,7 @@ use(1)
 
 def test_the_first_thread_need_not_be_the_main_one() -> None:
     """Nor need it live: the process ends as it should."""
-    result = subprocess.run([sys.executable, "-c", PROGRAM], capture_output=True, text=True, timeout=60)
+    result = subprocess.run([sys.executable, "-c", PROGRAM], capture_output=True, text=True, timeout=120)
     first, second, main = result.stdout.splitlines()
     assert (result.returncode, result.stderr, first) == (0, "", "[11, 11]")
     assert "in the thread second, but" in second and "in the thread MainThread, but" in main

@@ -120,18 +120,21 @@ def test_every_split_is_the_best_by_brute_force(setting, limits: TreeLimits) -> 
     check(tree, (), np.arange(len(targets)), 0)
 
 
+@pytest.fixture(scope="module")
+def columns(plain_bias: LanguageBias, sample) -> np.ndarray:
+    """The truth of every test of the bias, in each example; there are no new variables."""
+    tests = [each.test for each in Refiner(plain_bias).refinements(())]
+    return np.array([truth(tests, plain_bias, state, [action])[0] for state, action in zip(*sample, strict=True)])
+
+
 @pytest.mark.parametrize("max_depth", [1, 2, 3])
 @pytest.mark.parametrize("min_examples", [1, 5])
 def test_as_good_as_scikit_learn_on_the_columns(
-    blocks: Domain, plain_bias: LanguageBias, sample, max_depth: int, min_examples: int
+    blocks: Domain, plain_bias: LanguageBias, sample, columns: np.ndarray, max_depth: int, min_examples: int
 ) -> None:
     """Without new variables all tests are columns that are known beforehand."""
     learner = pytest.importorskip("sklearn.tree").DecisionTreeRegressor
-    refiner = Refiner(plain_bias)
     states, actions = sample
-    columns = np.array(
-        [truth([c.test for c in refiner.refinements(())], plain_bias, s, [a])[0] for s, a in zip(*sample, strict=False)]
-    )
     targets = np.random.default_rng(1).normal(size=len(actions)) + columns @ np.linspace(-1, 1, columns.shape[1])
     bias = replace(plain_bias, tree=TreeLimits(max_depth, min_examples, 0.0))
     examples = [Example(*each) for each in zip(states, actions, targets.tolist(), strict=True)]
