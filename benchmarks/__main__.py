@@ -1,7 +1,6 @@
-"""Prints the table of docs/performance.md.
+"""Prints the tables of docs/performance.md.
 
-python -m benchmarks [NAME...] [--write docs/performance.md]     NAME: coverage, one_tree, potentials, training,
-                                                                 large_states
+python -m benchmarks [NAME...] [--write docs/performance.md]     NAME: see --help
 python -m benchmarks profile [--write docs/performance.md]       where the time of a training run of each learner goes
 """
 
@@ -16,21 +15,28 @@ from pathlib import Path
 
 from benchmarks.common import Row
 
-LARGE = "large_states"  # has a table of its own
-NAMES = ("coverage", "one_tree", "potentials", "training", LARGE)
+TABLES = {  # by their markers in the file
+    "table": ("refinement", "coverage", "one_tree", "potentials", "training", "learners"),
+    "competition": ("competition",),
+    "growth": ("growth",),
+    "large": ("large_states",),
+}
+NAMES = [name for names in TABLES.values() for name in names]
 HEAD = "| what | measured | against | target | met |\n|---|---|---|---|---|"
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(prog="python -m benchmarks", description="The speed table of docs/performance.md.")
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks", description="The speed tables of docs/performance.md."
+    )
     parser.add_argument("names", nargs="*", metavar="NAME", help=f"{', '.join(NAMES)} (the default), or profile")
     parser.add_argument("--write", type=Path, metavar="FILE", help="also put it between the markers in FILE")
     chosen = parser.parse_args()
     if wrong := set(chosen.names) - {*NAMES, "profile"}:
         parser.error(f"there is no benchmark {', '.join(sorted(wrong))}")
     names = [each for each in chosen.names if each != "profile"] or ([] if chosen.names else NAMES)
-    for marker, own in (("table", [name for name in names if name != LARGE]), ("large", [LARGE] * (LARGE in names))):
-        if own:
+    for marker, all_names in TABLES.items():
+        if own := [name for name in all_names if name in names]:
             lines = [machine(), "", *HEAD.split("\n")]
             print("\n".join(lines), flush=True)
             for row in (row for name in own for row in import_module(f"benchmarks.{name}").rows()):

@@ -7,11 +7,10 @@ queries, told one by one.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from random import Random
 
-from benchmarks.common import Row
+from benchmarks.common import Row, timed
 from nppg import LanguageBias
 from nppg.bias.refinement import Refiner
 from nppg.logic.query import Query
@@ -22,25 +21,23 @@ SETTINGS = [(5, 1, 2), (15, 1, 2), (30, 1, 2), (60, 1, 2), (15, 0, 2), (15, 2, 2
 
 
 def rows() -> Iterator[Row]:
-    for modes, lookahead, depth in SETTINGS:
-        seconds, candidates, plain = measured(modes, lookahead, depth)
+    for setting in SETTINGS:
+        refiner, queries = setting_of(*setting)
+        seconds, found = timed(lambda refiner=refiner, queries=queries: [refiner.refinements(each) for each in queries])
+        plain, told = timed(lambda refiner=refiner, queries=queries: [plainly(refiner, each) for each in queries])
+        assert list(map(len, found)) == list(map(len, told)), "some refinements are equivalent, or one is missing"
+        candidates = sum(map(len, found))
         yield Row(
-            f"refinement, {modes} modes, lookahead {lookahead}, depth {depth}",
+            "refinement, {} modes, lookahead {}, depth {}".format(*setting),
             f"{candidates / seconds:,.0f} candidates/s",
             f"{plain / seconds:.1f} times telling each normal form by itself ({candidates / plain:,.0f} candidates/s)",
         )
 
 
-def measured(modes: int, lookahead: int, depth: int) -> tuple[float, int, float]:
-    """Seconds of the operator, the candidates that it gives, and seconds of telling normal forms one by one."""
+def setting_of(modes: int, lookahead: int, depth: int) -> tuple[Refiner, list[Query]]:
+    """An operator that has seen no query, and queries of this depth."""
     queries = [path(bias(modes, lookahead), depth, Random(seed)) for seed in range(QUERIES if depth else 1)]
-    refiner = Refiner(bias(modes, lookahead))
-    clock = time.process_time()
-    found = [refiner.refinements(query) for query in queries]
-    seconds = time.process_time() - clock
-    clock = time.process_time()
-    assert [len(plainly(refiner, query)) for query in queries] == [len(each) for each in found]
-    return seconds, sum(map(len, found)), time.process_time() - clock
+    return Refiner(bias(modes, lookahead)), queries
 
 
 def plainly(refiner: Refiner, query: Query) -> list[Query]:
