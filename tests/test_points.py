@@ -91,6 +91,18 @@ def test_what_cannot_be_sent_is_evaluated_here(
     assert not Ready.asked
 
 
+def test_a_process_that_cannot_be_started_is_done_without(
+    delivery: Domain, delivery_bias: LanguageBias, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    expected = learned(delivery, delivery_bias, tmp_path / "1", 1)
+
+    def full(*_: object, **__: object) -> None:
+        raise BlockingIOError("no more processes")
+
+    monkeypatch.setattr(beside, "Popen", full)
+    assert learned(delivery, delivery_bias, tmp_path / "2", 2) == expected
+
+
 def test_an_interrupt_loses_no_point(delivery: Domain, delivery_bias: LanguageBias, tmp_path: Path) -> None:
     expected, _ = learned(delivery, delivery_bias, tmp_path / "1", 1)
     seen: list[Progress] = []
