@@ -77,7 +77,7 @@ def test_a_wrong_home_is_reported_instead_of_an_abort(tmp_path: Path) -> None:
     assert "FAIL" in finding(result.stdout, "home of Prolog")
     assert "stopped by signal" in finding(result.stdout, "6*7 in Prolog")
     assert "-> unset SWI_HOME_DIR" in result.stdout
-    assert "2 of 17 checks failed" in result.stdout
+    assert "2 of 18 checks failed" in result.stdout
 
 
 def test_the_users_home_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:

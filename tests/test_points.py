@@ -135,8 +135,11 @@ def test_a_process_that_has_gone_is_gone(delivery: Domain, delivery_bias: Langua
 
 
 @pytest.mark.parametrize("name", ["delivery", "tests/domains/ferry.pl"])
-def test_episodes_of_an_iteration_are_the_same_in_any_number_of_processes(name: str, tmp_path: Path) -> None:
+def test_episodes_of_an_iteration_are_the_same_in_any_number_of_processes(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """The least number of episodes does not always give enough examples, so some are played ahead for nothing."""
+    monkeypatch.setattr("nppg.learning.training.MANY", 2)
     domain = open_domain(ROOT / name if "/" in name else name)
     bias = language_bias_of(domain)
     options = Options(episodes=50, episodes_per_iteration=4, min_examples=120, guidance=0.2, seed=2)
@@ -149,7 +152,10 @@ def test_episodes_of_an_iteration_are_the_same_in_any_number_of_processes(name: 
     assert found[0][1] and found[0] == found[1] == found[2]
 
 
-def test_a_process_that_dies_takes_no_episode_along(delivery: Domain, delivery_bias: LanguageBias) -> None:
+def test_a_process_that_dies_takes_no_episode_along(
+    delivery: Domain, delivery_bias: LanguageBias, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("nppg.learning.training.MANY", 2)
     options = Options(episodes=30, episodes_per_iteration=5, min_examples=10)
     *_, expected = train(delivery, delivery_bias, options)
     for after in (1, 3):

@@ -17,6 +17,7 @@ from samples import pairs, truth, visited
 
 import nppg.learning.training
 from nppg.answers.coverage import Coverage
+from nppg.answers.table import Table
 from nppg.bias.declarations import TreeLimits
 from nppg.judging.evaluation import ExactEvaluator
 from nppg.judging.space import Space
@@ -240,8 +241,8 @@ def test_lambda_grows_with_the_trees_and_without_growth_is_what_it_was(
 ) -> None:
     seen: list[float] = []
 
-    def looked_at(batch: Sequence[Visit], options: Options, trees: int) -> Examples:
-        found = examples(batch, options, trees)
+    def looked_at(batch: Sequence[Visit], options: Options, trees: int, table: Table | None) -> Examples:
+        found = examples(batch, options, trees, table)
         assert trees == len(seen)
         seen.append(found.newton.regularisation)
         return found
@@ -282,7 +283,7 @@ def test_replayed_steps_are_seen_by_the_present_policy(
     policies: list[Policy] = []
     widths, replayed = set(), []
 
-    def looked_at(batch: list[Visit], options: Options, trees: int) -> Examples:
+    def looked_at(batch: list[Visit], options: Options, trees: int, table: Table | None) -> Examples:
         policy = policies[-1]
         old = [id(visit.step.state) for earlier in batches for visit in earlier if visit.value]
         known = list(dict.fromkeys(old))[-30:]
@@ -293,7 +294,7 @@ def test_replayed_steps_are_seen_by_the_present_policy(
         assert [id(visit.step.state) for visit in again] == known
         assert all(same_as_now(visit.step, policy) for visit in batch)
         batches.append(batch)
-        return examples(batch, options, trees)
+        return examples(batch, options, trees, table)
 
     monkeypatch.setattr(nppg.learning.training, "examples", looked_at)
     for iteration in train(four_blocks, bias_of(JOINS), replace(SECOND, episodes=60, min_examples=30, replay=30)):

@@ -14,6 +14,8 @@ from nppg.learning.options import Common, Options
 from nppg.policy.beside import Gone, Others
 from nppg.policy.policy import Policy
 
+MANY = 50  # episodes an iteration from which on each has a generator of its own; fewer draw from that of the run
+
 
 class Rollouts:
     """Plays episodes of a training run by their numbers, each with a generator of its own, so that it does not matter
