@@ -147,7 +147,7 @@ class TestTable(Table):
         rows = []
         for some in _parts(pairs):
             try:
-                rows.append(self._rows(*self.domain.loaded.answers_in(self.name, some)))
+                rows.append(self._words.rows(*self.domain.loaded.answers_in(self.name, some)))
             except NppgError:
                 rows.append(super().answers_in(some))
         return np.concatenate(rows) if rows else super().answers_in(pairs)
@@ -178,17 +178,4 @@ class TestTable(Table):
                 actions = list(actions)  # before the visit: legal actions of another state may have to be found there
             self.domain.visit(state)
             kinds, words = self.domain.loaded.answers_about(self.name, actions)
-        return self._rows(kinds, words)
-
-    def _rows(self, kinds: list[int], words: list) -> np.ndarray:
-        present = sorted(set(kinds))
-        if len(present) == 1:
-            own = self._words.kinds[present[0]]
-            return own.rows(words, [i * own.words for i in range(len(kinds))])
-        result = np.empty((len(kinds), len(self)), float if self.numeric else bool)
-        sizes = [self._words.kinds[kind].words for kind in kinds]
-        starts = np.cumsum([0, *sizes[:-1]])
-        for kind in present:
-            members = np.flatnonzero(np.array(kinds) == kind)
-            result[members] = self._words.kinds[kind].rows(words, starts[members].tolist())
-        return result
+        return self._words.rows(kinds, words)

@@ -20,6 +20,7 @@ from nppg.logic.query import Literal, Query, Var, substitute, variables
 
 WORD = 60  # tests in one integer: it stays a small one in Prolog
 BITS = 64  # of an integer in NumPy
+_NEVER, _ALWAYS = -1, -2  # in place of a bit: a column that does not hold, or does, whatever the arguments are
 
 Place = tuple[int, tuple[int, ...]]  # a kind of action, and the positions of arguments, from 0
 Word = tuple["Form", ...]
@@ -54,6 +55,10 @@ class Words:
         self._words: dict[Group, list[Word]] = {}  # the same, of new ones not yet
         self._keys: dict[Word, int] = {}
         self._last = 0
+        self._numeric = False
+        self._sizes = np.zeros(len(self.kinds), int)  # the words of an action of each kind
+        self._bits = np.empty((len(self.kinds), 0), int)  # of each kind and column: see _Kind
+        self._fixed: set[int] = set()  # which of _NEVER and _ALWAYS there are
 
     def add(self, tests: Iterable[tuple[int, Query]], bounds: Sequence[int] | None, size: int) -> tuple[list, ...]:
         """Takes in new tests, each with its column, and tells what Prolog has to know: the keys of words that are asked
@@ -86,7 +91,29 @@ class Words:
                         stands |= {(form, positions): (len(asked[number]), i) for i, form in enumerate(word)}
                         asked[number].append([self._keys[word], [i + 1 for i in positions], str(alone).lower()])
             kind.update(stands, len(asked[number]), size, bounds)
+        self._sizes = np.array([kind.words for kind in self.kinds])
+        self._bits = np.stack([kind.bits for kind in self.kinds])
+        self._fixed = {_NEVER, _ALWAYS}.intersection(self._bits.flat)
+        self._numeric = bounds is not None
         return [key for word, key in old.items() if word not in self._keys], new, asked
+
+    def rows(self, kinds: list[int], words: list) -> np.ndarray:
+        """The answers to all columns about actions of these kinds, whose words stand one behind the other."""
+        which = np.array(kinds)
+        sizes = self._sizes[which]
+        starts = sizes.cumsum() - sizes
+        if self._numeric:
+            result = np.empty((len(kinds), self._bits.shape[1]))
+            for kind in np.flatnonzero(np.bincount(which)):
+                members = np.flatnonzero(which == kind)
+                result[members] = self.kinds[kind].numbers(words, starts[members].tolist())
+            return result
+        found = unpacked(np.array([*words, 0], "<i8")[None])[0]
+        result = found.take(self._bits[which] + BITS * starts[:, None])
+        for number, truth in ((_NEVER, False), (_ALWAYS, True)):
+            if number in self._fixed:
+                result[self._bits[which] == number] = truth
+        return result
 
     def _ask(self, form: Form, place: Place) -> None:
         """Asks a form of one more place."""
@@ -123,42 +150,36 @@ class _Kind:
         self.columns: dict[int, Asked] = {}
         self.always: list[int] = []
         self.words = 0
-        self._places: np.ndarray = np.empty(0, np.intp)  # of each column's bit; that of none is never set
-        self._bits: list[int] = []  # words of truth values
+        self.bits: np.ndarray = np.empty(0, np.intp)  # of each column that among the bits of an action's words
         self._values: list[tuple[int, int]] = []  # words of one number, with their column
-        self._limitless: np.ndarray | None = None  # answers where nothing holds, if they are numbers
+        self._limitless: np.ndarray = np.empty(0)  # answers where nothing holds, if they are numbers
 
     def update(
         self, stands: dict[Asked, tuple[int, int]], words: int, size: int, bounds: Sequence[int] | None
     ) -> None:
         """`stands` has the word and the bit of what is asked."""
-        self._places = np.full(size, WORD)
-        self._values = [(stands[asked][0], column) for column, asked in self.columns.items() if asked[0].is_bound]
-        numbers = {word for word, _ in self._values}
-        self._bits = [word for word in range(words) if word not in numbers]
-        place = {word: i for i, word in enumerate(self._bits)}
+        self.words = words
+        self.bits = np.full(size, _NEVER)
+        self.bits[self.always] = _ALWAYS
+        self._values = []
         for column, asked in self.columns.items():
             word, bit = stands[asked]
-            if word in place:
-                self._places[column] = place[word] * BITS + bit
-        self.words = words
+            if asked[0].is_bound:
+                self._values.append((word, column))
+            else:
+                self.bits[column] = word * BITS + bit
         if bounds is not None:
             self._limitless = np.ones(size)
             self._limitless[list(bounds)] = np.inf
 
-    def rows(self, words: list, starts: Sequence[int]) -> np.ndarray:
-        """The answers to all columns about actions whose words start there."""
-        count = len(starts)
-        if self._values or len(words) != count * self.words:
-            bits = [words[start + i] for start in starts for i in self._bits]
-        else:
-            bits = words
-        found = unpacked(np.array(bits, "<i8").reshape(count, -1)) if self._bits else np.zeros((count, BITS), bool)
-        result = found.take(self._places, axis=1)
-        if self.always:
-            result[:, self.always] = True
-        if self._limitless is None:
-            return result
+    def numbers(self, words: list, starts: Sequence[int]) -> np.ndarray:
+        """The answers to all columns as numbers, about actions whose words start there."""
+        values = {word for word, _ in self._values}
+        truths = [[0 if i in values else words[start + i] for i in range(self.words)] for start in starts]
+        found = unpacked(np.array([[*own, 0] for own in truths], "<i8"))
+        result = found.take(self.bits, axis=1)
+        result[:, self.bits == _NEVER] = False
+        result[:, self.bits == _ALWAYS] = True
         numbers = np.where(result, 0.0, self._limitless)
         for word, column in self._values:
             numbers[:, column] = [words[start + word] for start in starts]
