@@ -120,6 +120,9 @@ def test_actions_in_any_order_and_number(setting) -> None:
         answers = table.answers(state, actions)
         order = [random.randrange(len(actions)) for _ in range(20)]
         assert (table.answers(state, [actions[i] for i in order]) == answers[order]).all()
+        none, all_in_one = table.answers(state, []), table.answers_in([(state, []), (state, actions), (state, [])])
+        assert none.shape == (0, len(table)) and none.dtype == answers.dtype
+        assert (all_in_one == answers).all()
 
 
 def test_tests_keep_their_columns_when_others_are_added(relational_bias: LanguageBias, blocks: Domain) -> None:

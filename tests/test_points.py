@@ -91,6 +91,35 @@ def test_what_cannot_be_sent_is_evaluated_here(
     assert not Ready.asked
 
 
+def test_an_interrupt_loses_no_point_of_those_that_come_together(
+    delivery: Domain, delivery_bias: LanguageBias, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    expected, _ = learned(delivery, delivery_bias, tmp_path / "1", 1)
+    monkeypatch.setattr(Ready, "answers_by", lambda self, moment: moment > 0 and Beside.answers_by(self, moment))
+    seen: list[Progress] = []
+
+    def interrupt(progress: Progress) -> None:
+        seen.append(progress)
+        if progress.point and progress.point.episode:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        run(delivery, delivery_bias, OPTIONS, tmp_path / "2", 10, 6, interrupt, jobs=2)
+    assert curve(seen[-1]) == expected
+
+
+def test_a_process_that_cannot_be_started_is_done_without(
+    delivery: Domain, delivery_bias: LanguageBias, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    expected = learned(delivery, delivery_bias, tmp_path / "1", 1)
+
+    def full(*_: object, **__: object) -> None:
+        raise BlockingIOError("no more processes")
+
+    monkeypatch.setattr(beside, "Popen", full)
+    assert learned(delivery, delivery_bias, tmp_path / "2", 2) == expected
+
+
 def test_an_interrupt_loses_no_point(delivery: Domain, delivery_bias: LanguageBias, tmp_path: Path) -> None:
     expected, _ = learned(delivery, delivery_bias, tmp_path / "1", 1)
     seen: list[Progress] = []

@@ -309,6 +309,22 @@ def test_what_thresholds_a_query_has_does_not_matter(bias_of) -> None:
     assert several > 5
 
 
+def test_thresholds_that_are_equal_to_ranks_are_thresholds(bias_of) -> None:
+    """Who reads rules asks the same forms with thresholds in the place of ranks."""
+
+    def at_zero(query: Query) -> Query:
+        return tuple(Literal(each.name, (each.args[0], 0.0)) if has_threshold((each,)) else each for each in query)
+
+    for seed in range(10):
+        bias = bias_of(NUMERIC)
+        query = at_zero(random_query(Refiner(bias), 4, Random(seed)))
+        expected = Refiner(bias).refinements(query)
+        asked = bias_of(NUMERIC)
+        for each in expected:
+            asked.forms.deciding_tests(query, each.literals)
+        assert [each.literals for each in Refiner(asked).refinements(query)] == [each.literals for each in expected]
+
+
 def test_the_order_is_the_same_in_every_process(relational_bias: LanguageBias) -> None:
     code = (
         "from test_refinement import listing, LanguageBias; import sys;print(listing(LanguageBias.load(sys.argv[1])))"

@@ -99,7 +99,7 @@ class Words:
 
     def rows(self, kinds: list[int], words: list) -> np.ndarray:
         """The answers to all columns about actions of these kinds, whose words stand one behind the other."""
-        which = np.array(kinds)
+        which = np.array(kinds, int)
         sizes = self._sizes[which]
         starts = sizes.cumsum() - sizes
         if self._numeric:

@@ -251,11 +251,14 @@ def _ranked(core: Query) -> tuple[Query, list[float]]:
 
 
 def _unranked(refinement: Refinement, thresholds: list[float]) -> Refinement:
+    """With the thresholds in place of their ranks, which are floats where the form of a query with equal thresholds was
+    remembered."""
+
     def restored(query: Query) -> Query:
         if not any(map(_is_closed, query)):
             return query
         return tuple(
-            Literal(each.name, (each.args[0], thresholds[each.args[1]]))  # type: ignore[index]
+            Literal(each.name, (each.args[0], thresholds[int(each.args[1])]))  # type: ignore[arg-type]
             if _is_closed(each)
             else each
             for each in query

@@ -69,10 +69,10 @@ def run(
                 points.draw(progress)
             ended = progress.episodes == options.episodes
             for point in points.drawn(wait=ended) if points else ():
+                progress.curve.append(point)  # before others are told, which may end the run
                 if progress.point:
                     report(progress)
                 progress.point = point
-                progress.curve.append(point)
             reached = _reached(progress.point, until_success, until_return)
             progress.ended = reached or ended
             report(progress)

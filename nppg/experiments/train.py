@@ -23,7 +23,7 @@ _GENERATORS: dict[str, Callable[..., Iterator[Iteration]]] = {
 def train(domain: Domain, bias: LanguageBias, options: Common | None = None, jobs: int = 1) -> Iterator[Iteration]:
     """Learns as the class of the options says: by policy gradients for Options, by relational Q-learning for TGOptions,
     RIBOptions or TrendiOptions. Left out, they are `options_of` the bias. By policy gradients up to `jobs` processes
-    play the episodes of an iteration, if it has several.
+    play the episodes of an iteration, if it has many.
     Yields as it learns, the first time before it has learned anything. Raises NppgError."""
     options = options_of(bias) if options is None else options
     if isinstance(options, Options):

@@ -82,8 +82,8 @@ def wanted(trees: int, options: Options) -> float:
 
 
 def train(domain: Domain, bias: LanguageBias, options: Options | None = None, jobs: int = 1) -> Iterator[Iteration]:
-    """Yields after each tree, the first time before the first one. Where there are several episodes to an iteration, up
-    to `jobs` processes play them, and nothing changes with their number. Raises NppgError.
+    """Yields after each tree, the first time before the first one. Where there are MANY episodes to an iteration, up to
+    `jobs` processes play them, and nothing changes with their number. Raises NppgError.
 
     A policy asks what its trees test. It shares the learner's table, so that its steps have the answers that trees are
     grown from, unless that is large."""

@@ -12,7 +12,7 @@ import sys
 import time
 import warnings
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection
 from subprocess import DEVNULL, Popen
@@ -121,7 +121,10 @@ class Others:
         """Notes that this process has."""
         self._seconds += seconds
         if self._seconds > _PATIENCE and len(self._processes) < self.count:
-            self._processes = [Beside(self._servant) for _ in range(self.count)]
+            with suppress(OSError):  # there may be no room for more
+                while len(self._processes) < self.count:
+                    self._processes.append(Beside(self._servant))
+            self.count = len(self._processes)
 
     def free(self) -> list[Beside]:
         """Those that can be asked."""
