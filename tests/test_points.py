@@ -156,7 +156,7 @@ def test_episodes_of_an_iteration_are_the_same_in_any_number_of_processes(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The least number of episodes does not always give enough examples, so some are played ahead for nothing."""
-    monkeypatch.setattr("nppg.learning.training.MANY", 2)
+    monkeypatch.setattr("nppg.learning.rollouts.MANY", 2)
     domain = open_domain(ROOT / name if "/" in name else name)
     bias = language_bias_of(domain)
     options = Options(episodes=50, episodes_per_iteration=4, min_examples=120, guidance=0.2, seed=2)
@@ -172,7 +172,7 @@ def test_episodes_of_an_iteration_are_the_same_in_any_number_of_processes(
 def test_a_process_that_dies_takes_no_episode_along(
     delivery: Domain, delivery_bias: LanguageBias, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("nppg.learning.training.MANY", 2)
+    monkeypatch.setattr("nppg.learning.rollouts.MANY", 2)
     options = Options(episodes=30, episodes_per_iteration=5, min_examples=10)
     *_, expected = train(delivery, delivery_bias, options)
     for after in (1, 3):

@@ -1,9 +1,9 @@
 """Which words of tests a table asks about which arguments of an action, and where each test's answer stands.
 
-Tests that ask the same, `clear(X)` and `clear(Y)` of `move(X, Y)`, are one *form*, of the arguments that they are
-about. Forms that are asked of the same places, here the first and the second argument, share words: each word is asked
-once in a state for every choice of arguments. See prolog/table.pl. Tests whose answers are the same in every state of a
-problem have words of their own, as these are asked once; see prolog/known_answers.pl.
+Tests that ask the same, `clear(X)` and `clear(Y)` of `move(X, Y)`, are one *question*, of the arguments that they are
+about. Questions that are asked of the same places, here the first and the second argument, share words: each word is
+asked once in a state for every choice of arguments. See prolog/table.pl. Tests whose answers are the same in every
+state of a problem have words of their own, as these are asked once; see prolog/known_answers.pl.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ BITS = 64  # of an integer in NumPy
 _NEVER, _ALWAYS = -1, -2  # in place of a bit: a column that does not hold, or does, whatever the arguments are
 
 Place = tuple[int, tuple[int, ...]]  # a kind of action, and the positions of arguments, from 0
-Word = tuple["Form", ...]
+Word = tuple["Question", ...]
 
 
-class Form(NamedTuple):
+class Question(NamedTuple):
     """What a test asks of so many arguments: its first variables are these, those of the goal come next."""
 
     arity: int
@@ -38,8 +38,8 @@ class Form(NamedTuple):
         return any(map(is_open, self.query))
 
 
-Group = tuple[tuple[Place, ...], bool]  # what forms share that share words: the places, and whether they are static
-Asked = tuple[Form, tuple[int, ...]]  # of arguments of an action, by their positions
+Group = tuple[tuple[Place, ...], bool]  # what questions share that share words: the places, and whether they are static
+Asked = tuple[Question, tuple[int, ...]]  # of arguments of an action, by their positions
 
 
 class Words:
@@ -50,8 +50,8 @@ class Words:
         self.kinds = [_Kind() for _ in bias.actions]
         self._bias = bias
         self._is_static = is_static
-        self._places: dict[Form, list[Place]] = {}
-        self._forms: dict[Group, list[Form]] = {}
+        self._places: dict[Question, list[Place]] = {}
+        self._questions: dict[Group, list[Question]] = {}
         self._words: dict[Group, list[Word]] = {}  # the same, of new ones not yet
         self._keys: dict[Word, int] = {}
         self._last = 0
@@ -68,13 +68,13 @@ class Words:
             for number, kind in enumerate(self.kinds):
                 if test[0].name == KIND:
                     kind.always += [column] if test[0].args[0] == number else []
-                elif found := self._form(test, number):
-                    form, positions = found
+                elif found := self._question(test, number):
+                    question, positions = found
                     kind.columns[column] = found
-                    self._ask(form, (number, positions))
-        for group, forms in self._forms.items():
+                    self._ask(question, (number, positions))
+        for group, questions in self._questions.items():
             if group not in self._words:
-                self._words[group] = list(_words(forms))
+                self._words[group] = list(_words(questions))
         old, self._keys = self._keys, {}
         for word in (word for own in self._words.values() for word in own):
             self._keys[word] = old.get(word) or self._last + 1
@@ -88,7 +88,7 @@ class Words:
                 for positions in (positions for each, positions in places if each == number):
                     alone = len(places) == 1 and len(positions) == len(self._bias.actions[number].types) > 0
                     for word in own:
-                        stands |= {(form, positions): (len(asked[number]), i) for i, form in enumerate(word)}
+                        stands |= {(question, positions): (len(asked[number]), i) for i, question in enumerate(word)}
                         asked[number].append([self._keys[word], [i + 1 for i in positions], str(alone).lower()])
             kind.update(stands, len(asked[number]), size, bounds)
         self._sizes = np.array([kind.words for kind in self.kinds])
@@ -115,18 +115,18 @@ class Words:
                 result[self._bits[which] == number] = truth
         return result
 
-    def _ask(self, form: Form, place: Place) -> None:
-        """Asks a form of one more place."""
-        old, static = self._places.get(form, []), self._is_static(form.query)
+    def _ask(self, question: Question, place: Place) -> None:
+        """Asks a question of one more place."""
+        old, static = self._places.get(question, []), self._is_static(question.query)
         if place not in old:
             if old:
-                self._forms[tuple(old), static].remove(form)
+                self._questions[tuple(old), static].remove(question)
                 self._words.pop((tuple(old), static), None)
-            self._places[form] = new = sorted([*old, place])
-            self._forms.setdefault((tuple(new), static), []).append(form)
+            self._places[question] = new = sorted([*old, place])
+            self._questions.setdefault((tuple(new), static), []).append(question)
             self._words.pop((tuple(new), static), None)
 
-    def _form(self, test: Query, kind: int) -> Asked | None:
+    def _question(self, test: Query, kind: int) -> Asked | None:
         """What a test asks, and of which arguments of an action of this kind; None if it is about another kind's, so
         that it never holds."""
         first, end = self._bias.offsets[kind : kind + 2]
@@ -139,8 +139,8 @@ class Words:
         numbers |= {Var(index): len(arguments) + index - goal for index in range(goal, roots)}
         existential = [var for var in used if var.index >= roots]
         numbers |= {var: len(arguments) + roots - goal + i for i, var in enumerate(existential)}
-        form = Form(len(arguments), substitute(test, {var: Var(i) for var, i in numbers.items()}))
-        return form, tuple(var.index - first for var in arguments)
+        question = Question(len(arguments), substitute(test, {var: Var(i) for var, i in numbers.items()}))
+        return question, tuple(var.index - first for var in arguments)
 
 
 class _Kind:
@@ -186,14 +186,14 @@ class _Kind:
         return numbers
 
 
-def _words(forms: Sequence[Form]) -> Iterator[Word]:
-    truths = [form for form in forms if not form.is_bound]
+def _words(questions: Sequence[Question]) -> Iterator[Word]:
+    truths = [question for question in questions if not question.is_bound]
     yield from (tuple(truths[i : i + WORD]) for i in range(0, len(truths), WORD))
-    yield from ((form,) for form in forms if form.is_bound)
+    yield from ((question,) for question in questions if question.is_bound)
 
 
 def _data(word: Word) -> list:
-    return measure(word[0].query) if word[0].is_bound else [encoded(form.query) for form in word]
+    return measure(word[0].query) if word[0].is_bound else [encoded(question.query) for question in word]
 
 
 def measure(test: Query) -> list:

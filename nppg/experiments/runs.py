@@ -17,6 +17,7 @@ from nppg.experiments.run_files import any_reached, in_the_way, write_files
 from nppg.experiments.train import train
 from nppg.judging.space import Space
 from nppg.learning.options import Common
+from nppg.learning.rollouts import are_many
 from nppg.learning.training import Iteration
 from nppg.worlds.domain import Domain
 
@@ -65,7 +66,7 @@ def run(
             progress = progress or Progress(iteration.policy, options, judging)
             _advance(progress, iteration, time.perf_counter() - clock)
             if is_due(progress, len(iteration.recent), evaluate_every):
-                points = points or Points(progress, starts, space, 1 if at_once else jobs)
+                points = points or Points(progress, starts, space, 1 if at_once or are_many(options) else jobs)
                 points.draw(progress)
             ended = progress.episodes == options.episodes
             for point in points.drawn(wait=ended) if points else ():

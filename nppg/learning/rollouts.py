@@ -17,6 +17,11 @@ from nppg.policy.policy import Policy
 MANY = 50  # episodes an iteration from which on each has a generator of its own; fewer draw from that of the run
 
 
+def are_many(options: Common) -> bool:
+    """Whether the episodes of an iteration are so many that processes play them."""
+    return isinstance(options, Options) and options.episodes_per_iteration >= MANY
+
+
 class Rollouts:
     """Plays episodes of a training run by their numbers, each with a generator of its own, so that it does not matter
     who plays it."""

@@ -16,7 +16,7 @@ from nppg.learning.gradient import functional_gradient, taken_gradient
 from nppg.learning.line_search import step_size
 from nppg.learning.options import Options
 from nppg.learning.regressors import Examples, regressor
-from nppg.learning.rollouts import MANY, iterations_episodes, training_episodes
+from nppg.learning.rollouts import are_many, iterations_episodes, training_episodes
 from nppg.learning.visits import Visit, kept, normalised, revisited
 from nppg.policy.policy import Policy
 from nppg.trees.tilde import Newton, size_of
@@ -96,10 +96,10 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None, jo
     recent: list[Episode] = []
     gathered = 0
     yield Iteration(policy, 0, ())
-    if options.episodes_per_iteration < MANY:
-        episodes = training_episodes(policy, np.random.default_rng(options.seed), options)
-    else:
+    if are_many(options):
         episodes = iterations_episodes(policy, options, jobs)
+    else:
+        episodes = training_episodes(policy, np.random.default_rng(options.seed), options)
     for count, episode in enumerate(episodes, 1):
         recent.append(episode)
         new = judge.visits(episode)

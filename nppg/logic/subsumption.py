@@ -137,7 +137,8 @@ def _told_apart(query: Query, existential: list[Var]) -> list[list[Var]]:
 
 
 def normal_form(query: Query, roots: int) -> Query | None:
-    """Equalities solved, redundancies removed, variables renamed: for θ-equivalent queries equal as sets.
+    """Equalities solved, redundancies removed, variables renamed: for θ-equivalent queries equal as sets. It is what
+    the forms of logic.forms, which are put together from parts, are held to.
 
     Equalities between root variables stay as literals. Returns None for a query that cannot be true.
     """
