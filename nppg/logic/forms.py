@@ -7,7 +7,7 @@ their keys, unless a literal of the one may map to one of the other: that is tol
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, product
 from typing import NamedTuple
@@ -54,21 +54,22 @@ class Forms:
     def __reduce__(self) -> tuple:
         return Forms, (self.roots,)  # what is remembered is not for other processes
 
-    def of(self, query: Query) -> Form | None:
+    def of(self, query: Query, core: Callable[[], Query | None] = lambda: None) -> Form | None:
         """That of a query; None where it cannot be true. Those of equivalent queries have the same test, the same
-        tuple."""
-        if query not in self._by_query:
-            self._remember(query, self._of_any(substitute(query, self._names(query))))
-        return self._by_query[query]
+        tuple.
 
-    def known(self, query: Query) -> Form | None:
-        """That of a query, where it is remembered."""
-        return self._by_query.get(query)
-
-    def of_reduced(self, query: Query) -> Form:
-        """That of a component without redundant literals, equalities and bounds."""
+        `core` is asked where the form is not known: it may tell a component without redundant literals, equalities and
+        bounds to which the query, a component itself, is equivalent."""
+        if query in self._by_query:
+            return self._by_query[query]
         shape = substitute(query, self._names(query))
-        form = self._by_query.get(shape) or self._form(shape, [shape])
+        if shape in self._by_query:
+            form = self._by_query[shape]
+        elif (found := core()) is None:
+            form = self._of_any(shape)
+        else:
+            form = self._form(shape, [shape]) if found == query else self.of(found)
+        self._remember(shape, form)
         self._remember(query, form)
         return form
 
@@ -200,7 +201,7 @@ class Given:
         of the whole; None where it cannot be true."""
         part = self._part(literals)
         own = part.query + literals
-        form = self._forms.known(own) or self._form(part, literals)
+        form = self._forms.of(own, lambda: self._core(part, literals))
         if form is None:
             return None
         has_equalities = self._has_equalities or any(name == "=" for name, _ in literals)
@@ -221,14 +222,14 @@ class Given:
             found = self._parts[joined] = _Part(own, self._forms.is_plain(own), others, rest)
         return found
 
-    def _form(self, part: _Part, literals: Query) -> Form | None:
-        if part.is_plain and not any(map(_is_built_in, literals)):
-            pairs = [(one, other) for i, one in enumerate(literals) for other in (*part.query, *literals[:i])]
-            if not self._meet(pairs, literals):
-                return self._forms.of_reduced(part.query + literals)
-            if subsumes(literals, part.query, self._first):
-                return self._forms.of(part.query)
-        return self._forms.of(part.query + literals)
+    def _core(self, part: _Part, literals: Query) -> Query | None:
+        """A part with literals, or without those if they are redundant; None where neither is seen at once."""
+        if not part.is_plain or any(map(_is_built_in, literals)):
+            return None
+        pairs = [(one, other) for i, one in enumerate(literals) for other in (*part.query, *literals[:i])]
+        if not self._meet(pairs, literals):
+            return part.query + literals
+        return part.query if subsumes(literals, part.query, self._first) else None
 
     def _meet(self, pairs: Sequence[tuple[Literal, Literal]], literals: Query) -> bool:
         """Whether a substitution in the query with these literals may map one of such a pair of its literals to the
