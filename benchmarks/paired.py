@@ -48,10 +48,12 @@ TASKS = {
     "the paper's run, 2000 episodes": "print(learned(*blocks(), Options()))",
     "second-order training, 500 episodes": "print(learned(*blocks(), Options(500, step='second-order')))",
     "one tree from 20,000 examples": """
-from benchmarks.one_tree import BIAS, data_set
+from pathlib import Path
+from benchmarks import one_tree
 from nppg.tilde import fit
-domain, bias = Domain("blocks_world"), LanguageBias.load(BIAS)
-examples = data_set(domain, 20_000, np.random.default_rng(0))
+domain = Domain("blocks_world")
+bias = LanguageBias.load(Path(one_tree.__file__).with_name("one_tree.yaml"))
+examples = one_tree.data_set(domain, 20_000, np.random.default_rng(0))
 start = clock()
 fit(examples, domain, bias)
 print(clock() - start)""",

@@ -49,7 +49,7 @@ no_words(_, []).
 
 drop_table(Table) :-
     drop_layout(Table),
-    drop_answers_of(Table, _),
+    drop_answers(Table),
     retractall(given(Table, _, _, _)),
     retractall(sized(Table, _)),
     retractall(Table:'$row'(_, _, _)),
@@ -60,22 +60,19 @@ drop_table(Table) :-
 %
 %   Compiles new words, drops others, and says what is asked about the actions of every kind.
 %
-%   Words is a list of [Key, Arity, Word, IsStatic]. Word is a list of at most 60 tests, a test a list of literals as data, or a
+%   Words is a list of [Key, Arity, Word]. Word is a list of at most 60 tests, a test a list of literals as data, or a
 %   measure [measure, Test], the bound first in Test; the first Arity variables are the arguments that it is about, behind
-%   them come the goal's. IsStatic is true where none of them can depend on a fluent. Dropped is a list of keys. Kinds has a list for each kind of action, of [Key, Positions, Alone]:
+%   them come the goal's. Key is below 0 where none of them can depend on a fluent. Dropped is a list of keys. Kinds has a list for each kind of action, of [Key, Positions, Alone]:
 %   the word is asked about the arguments in these positions; Alone is true where no other action is asked the same.
 
 set_tests(Table, Dropped, Words, Kinds) :-
     forall(member(Key, Dropped), drop_word(Table, Key)),
-    forall(member([Key, Arity, Word, IsStatic], Words),
-           ( assertz(given(Table, Key, Arity, Word)),
-             compile_word(Table, Key, Arity, Word),
-             ( IsStatic == true -> keep_answers(Table, Key) ; true ) )),
+    forall(member([Key, Arity, Word], Words),
+           ( assertz(given(Table, Key, Arity, Word)), compile_word(Table, Key, Arity, Word) )),
     retractall(Table:'$questions'(_, _, _, _, _, _, _, _, _)),
     set_kinds(Kinds, 0, Table).
 
 drop_word(Table, Key) :-
-    drop_answers_of(Table, Key),
     retractall(given(Table, Key, _, _)),
     retractall(Table:'$row'(Key, _, _)),
     retractall(Table:'$solution'(Key, _, _)).
@@ -151,8 +148,10 @@ rows(Table, Actions, Kinds, Words) :-
     length(Words, Count),
     Asked is 60*Count,
     keysort(Shared, Sorted),
-    (   known_answers(Table, Module, Trie)
-    ->  Kept = known(Trie)
+    (   given(Table, Key, _, _),
+        Key < 0
+    ->  known_answers(Table, Module, Trie),
+        Kept = known(Trie)
     ;   Kept = none
     ),
     catch(guarded(Module:test/0, Asked, answered(Sorted, Own, Kept, Table)),
@@ -198,7 +197,7 @@ answer_again([Question-Word|Questions], Last, Known, Kept, Table) :-
 answer(none, Table, Key, Roots, Word) :-
     Table:'$row'(Key, Roots, Word).
 answer(known(Trie), Table, Key, Roots, Word) :-
-    (   is_kept(Table, Key)
+    (   Key < 0
     ->  (   trie_lookup(Trie, question(Key, Roots), Known)
         ->  Word = Known
         ;   Table:'$row'(Key, Roots, Word),

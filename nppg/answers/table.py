@@ -121,9 +121,10 @@ class TestTable(Table):
         self.loaded: Callable[[], object] = lambda: None  # the Coverage whose examples Prolog holds
 
     def _is_static(self, test: Query) -> bool:
-        """Whether it has the same answer in every state of a problem, as far as the domain's program tells."""
+        """Whether it has the same answer in every state of a problem, as far as the domain's program tells, and that is
+        worth keeping."""
         called = {(each.name, len(each.args)) for each in test if each.name != "=" and each.name not in OPEN}
-        return all(self.domain.loaded.is_static(*each) for each in called)
+        return bool(called) and all(self.domain.loaded.is_static(*each) for each in called)
 
     def _prepare(self, columns: Sequence[int]) -> None:
         tests = [(column, self.tests[column]) for column in columns]

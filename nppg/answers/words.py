@@ -3,7 +3,7 @@
 Tests that ask the same, `clear(X)` and `clear(Y)` of `move(X, Y)`, are one *question*, of the arguments that they are
 about. Questions that are asked of the same places, here the first and the second argument, share words: each word is
 asked once in a state for every choice of arguments. See prolog/table.pl. Tests whose answers are the same in every
-state of a problem have words of their own, as these are asked once; see prolog/known_answers.pl.
+state of a problem have words of their own, with keys below 0, as these are asked once; see prolog/known_answers.pl.
 """
 
 from __future__ import annotations
@@ -76,11 +76,12 @@ class Words:
             if group not in self._words:
                 self._words[group] = list(_words(questions))
         old, self._keys = self._keys, {}
-        for word in (word for own in self._words.values() for word in own):
-            self._keys[word] = old.get(word) or self._last + 1
-            self._last = max(self._last, self._keys[word])
-        static = {word: str(static).lower() for (_, static), own in self._words.items() for word in own}
-        new = [[key, word[0].arity, _data(word), static[word]] for word, key in self._keys.items() if word not in old]
+        for (_, static), own in self._words.items():
+            for word in own:
+                if word not in old:
+                    self._last += 1
+                self._keys[word] = old.get(word) or (-self._last if static else self._last)
+        new = [[key, word[0].arity, _data(word)] for word, key in self._keys.items() if word not in old]
         asked: list[list] = [[] for _ in self.kinds]
         for number, kind in enumerate(self.kinds):
             stands: dict[Asked, tuple[int, int]] = {}

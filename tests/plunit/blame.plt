@@ -9,7 +9,7 @@ test(test_at_fault, [cleanup(drop_table(Table)), throws(nppg_fault(toy:bad/1, er
     rows(Table, [move(a, c)], _, _).
 test(bound_at_fault, [cleanup(drop_table(Table)), throws(nppg_fault(toy:on/2, _-[b]))]) :-
     new_table(toy, [[move, 2]], [goal_on, 2], Table),
-    set_tests(Table, [], [[1, 2, [measure, [[=<, 4, [0]], [on, 0, 4]]], false]], [[[1, [1, 2], true]]]),
+    set_tests(Table, [], [[1, 2, [measure, [[=<, 4, [0]], [on, 0, 4]]]]], [[[1, [1, 2], true]]]),
     rows(Table, [move(a, c)], _, _).
 test(nothing_to_blame, cleanup(drop_table(Table))) :-
     toy_table([[[clear, 0]]], Table),

@@ -64,4 +64,4 @@ drop_toy :-
 
 toy_table(Tests, Table) :-
     new_table(toy, [[move, 2]], [goal_on, 2], Table),
-    set_tests(Table, [], [[1, 2, Tests, false]], [[[1, [1, 2], true]]]).
+    set_tests(Table, [], [[1, 2, Tests]], [[[1, [1, 2], true]]]).
