@@ -19,7 +19,8 @@ from nppg import language_bias_of, open_domain, options_of, train
 from nppg.bias.refinement import Refinement, Refiner
 from nppg.logic.query import Query
 
-EPISODES = 2000
+EPISODES = 500  # of a world without a limit
+MANY = 2000
 LAST = 100
 SECONDS = {"blocksworld": 20, "satellite": 25, "transport": 30}
 SHARE = 0.02  # of the time may be refinement
@@ -35,7 +36,9 @@ def rows() -> Iterator[Row]:
 def _row(file: Path, problems: Sequence[Path]) -> Row:
     domain = open_domain(file, problems=problems)
     bias = language_bias_of(domain)
-    options = replace(options_of(bias), episodes=EPISODES)
+    limit = SECONDS.get(file.parent.name)
+    episodes = MANY if limit else EPISODES
+    options = replace(options_of(bias), episodes=episodes)
     outcomes: list[bool] = []
     with _timed_refinements() as refining:
         clock = time.process_time()
@@ -43,9 +46,8 @@ def _row(file: Path, problems: Sequence[Path]) -> Row:
             outcomes += [episode.success for episode in iteration.recent]
         seconds = time.process_time() - clock
     share = sum(refining) / seconds
-    limit = SECONDS.get(file.parent.name)
     return Row(
-        f"{file.parent.name}, {EPISODES} episodes, {len(iteration.policy.trees)} trees",
+        f"{file.parent.name}, {episodes} episodes, {len(iteration.policy.trees)} trees",
         f"{seconds:.1f} s, {np.mean(outcomes[-LAST:]):.0%} of the last {LAST} episodes reach the goal",
         f"refinement is {share:.1%} of it",
         f"<= {SHARE:.0%}" + (f", <= {limit} s" if limit else ""),

@@ -58,7 +58,6 @@ class Words:
         self._numeric = False
         self._sizes = np.zeros(len(self.kinds), int)  # the words of an action of each kind
         self._bits = np.empty((len(self.kinds), 0), int)  # of each kind and column: see _Kind
-        self._fixed: set[int] = set()  # which of _NEVER and _ALWAYS there are
 
     def add(self, tests: Iterable[tuple[int, Query]], bounds: Sequence[int] | None, size: int) -> tuple[list, ...]:
         """Takes in new tests, each with its column, and tells what Prolog has to know: the keys of words that are asked
@@ -94,12 +93,13 @@ class Words:
             kind.update(stands, len(asked[number]), size, bounds)
         self._sizes = np.array([kind.words for kind in self.kinds])
         self._bits = np.stack([kind.bits for kind in self.kinds])
-        self._fixed = {_NEVER, _ALWAYS}.intersection(self._bits.flat)
         self._numeric = bounds is not None
         return [key for word, key in old.items() if word not in self._keys], new, asked
 
     def rows(self, kinds: list[int], words: list) -> np.ndarray:
         """The answers to all columns about actions of these kinds, whose words stand one behind the other."""
+        if not self._numeric and len(set(kinds)) == 1:
+            return self.kinds[kinds[0]].truths(words, len(kinds))
         which = np.array(kinds, int)
         sizes = self._sizes[which]
         starts = sizes.cumsum() - sizes
@@ -110,10 +110,10 @@ class Words:
                 result[members] = self.kinds[kind].numbers(words, starts[members].tolist())
             return result
         found = unpacked(np.array([*words, 0], "<i8")[None])[0]
-        result = found.take(self._bits[which] + BITS * starts[:, None])
-        for number, truth in ((_NEVER, False), (_ALWAYS, True)):
-            if number in self._fixed:
-                result[self._bits[which] == number] = truth
+        bits = self._bits[which]
+        result = found.take(bits + BITS * starts[:, None])
+        result[bits == _NEVER] = False
+        result[bits == _ALWAYS] = True
         return result
 
     def _ask(self, question: Question, place: Place) -> None:
@@ -152,6 +152,7 @@ class _Kind:
         self.always: list[int] = []
         self.words = 0
         self.bits: np.ndarray = np.empty(0, np.intp)  # of each column that among the bits of an action's words
+        self._never: list[int] = []
         self._values: list[tuple[int, int]] = []  # words of one number, with their column
         self._limitless: np.ndarray = np.empty(0)  # answers where nothing holds, if they are numbers
 
@@ -169,19 +170,26 @@ class _Kind:
                 self._values.append((word, column))
             else:
                 self.bits[column] = word * BITS + bit
+        self._never = np.flatnonzero(self.bits == _NEVER).tolist()
         if bounds is not None:
             self._limitless = np.ones(size)
             self._limitless[list(bounds)] = np.inf
 
-    def numbers(self, words: list, starts: Sequence[int]) -> np.ndarray:
-        """The answers to all columns as numbers, about actions whose words start there."""
-        values = {word for word, _ in self._values}
-        truths = [[0 if i in values else words[start + i] for i in range(self.words)] for start in starts]
-        found = unpacked(np.array([[*own, 0] for own in truths], "<i8"))
+    def truths(self, words: list, count: int) -> np.ndarray:
+        """The answers to all columns about so many actions, which have all of these words."""
+        found = unpacked(np.array(words, "<i8").reshape(count, -1)) if words else np.zeros((count, BITS), bool)
         result = found.take(self.bits, axis=1)
-        result[:, self.bits == _NEVER] = False
-        result[:, self.bits == _ALWAYS] = True
-        numbers = np.where(result, 0.0, self._limitless)
+        if self._never:
+            result[:, self._never] = False
+        if self.always:
+            result[:, self.always] = True
+        return result
+
+    def numbers(self, words: list, starts: Sequence[int]) -> np.ndarray:
+        """The same as numbers, about actions whose words start there."""
+        values = {word for word, _ in self._values}
+        truths = [0 if i in values else words[start + i] for start in starts for i in range(self.words)]
+        numbers = np.where(self.truths(truths, len(starts)), 0.0, self._limitless)
         for word, column in self._values:
             numbers[:, column] = [words[start + word] for start in starts]
         return numbers
