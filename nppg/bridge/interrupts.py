@@ -58,3 +58,14 @@ def undisturbed() -> Iterator[None]:
         yield
     finally:
         _undisturbed -= 1
+
+
+@contextmanager
+def born_deaf() -> Iterator[None]:
+    """Processes that are started meanwhile hold Ctrl-C back until they say otherwise: on the terminal it is for the one
+    that starts them."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)

@@ -16,7 +16,7 @@ from contextlib import suppress
 from multiprocessing import get_context
 from typing import Any, NamedTuple, Protocol, TypeVar
 
-from nppg.bridge.interrupts import heed_interrupt, interruptible
+from nppg.bridge.interrupts import born_deaf, heed_interrupt, interruptible
 from nppg.errors import NppgError
 
 _LOSSES = 3  # processes that may be killed under one call
@@ -159,11 +159,8 @@ class _Process:
 
     def _start(self) -> None:
         self._executor = ProcessPoolExecutor(1, get_context("spawn"))
-        mask = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])  # which the process is started with
-        try:
+        with born_deaf():
             self._number = self._executor.submit(os.getpid)
-        finally:
-            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
 
     def submit(self, call: bytes) -> Future[Answer]:
         try:

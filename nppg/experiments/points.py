@@ -9,16 +9,14 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import lru_cache
 
 from nppg.errors import NppgError
 from nppg.experiments.progress import Point, Progress
 from nppg.judging.evaluation import Evaluation, ExactEvaluator, evaluate_both, spread
 from nppg.judging.memory import Memory
-from nppg.judging.space import Space
+from nppg.judging.space import Space, shared_space
 from nppg.policy.beside import Beside, Gone, Others
 from nppg.policy.policy import Policy
-from nppg.worlds.domain import Domain
 
 _PROBLEMS = 20  # at most so many are a point of the curve
 _CLASSES = 20_000  # state spaces up to this size are evaluated exactly between the trees
@@ -139,15 +137,9 @@ def _exact(progress: Progress, space: Space | None) -> ExactEvaluator | None:
     if not policy.domain.is_countable or progress.measure != "success":
         return None
     try:
-        return ExactEvaluator(policy, space or _space(policy.domain))
+        return ExactEvaluator(policy, space or shared_space(policy.domain, _CLASSES))
     except NppgError:
         return None
-
-
-@lru_cache(1)
-def _space(domain: Domain) -> Space:
-    """What runs in one domain share."""
-    return Space(domain, _CLASSES)
 
 
 def _unjudged(progress: Progress) -> Callable[[Evaluation, Evaluation], Point]:

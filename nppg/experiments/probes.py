@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Callable, Iterator
 from typing import Protocol
 
@@ -11,7 +10,7 @@ import numpy as np
 from nppg.experiments import corridor
 from nppg.experiments.paper import Experiment
 from nppg.experiments.progress import Progress
-from nppg.judging.space import Space
+from nppg.judging.space import Space, shared_space
 from nppg.worlds.domain import Domain
 
 ITERATIONS = (1, 2, 5, 10, 20, 50)  # trees after which the corridor's policy is looked at
@@ -32,8 +31,8 @@ class Lengths:
     how many of the experiment's starts, the same in all tests and runs, have it, and how many of these succeeded."""
 
     def __init__(self, domain: Domain, experiment: Experiment):
-        self.space: Space | None = _space(domain)
-        self._drawn = _space(domain).draw(experiment.starts, np.random.default_rng(0x74657374))
+        self.space: Space | None = shared_space(domain)
+        self._drawn = shared_space(domain).draw(experiment.starts, np.random.default_rng(0x74657374))
 
     def seen(self, progress: Progress) -> Iterator[dict[str, float]]:
         evaluator, point = progress.evaluator, progress.point
@@ -76,11 +75,6 @@ class Corridor:
         values = self._cells.values(1 - left)
         for position, chance, value in zip(positions, left.tolist(), values.tolist(), strict=True):
             yield {"iteration": trees, "position": position, "left": chance, "value": value}
-
-
-@functools.cache
-def _space(domain: Domain) -> Space:
-    return Space(domain)
 
 
 PROBES: dict[str, Callable[[Domain, Experiment], Probe]] = {"lengths": Lengths, "corridor": Corridor}

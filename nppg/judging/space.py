@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterable
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import chain
 
 import numpy as np
@@ -229,3 +229,9 @@ def _atoms(term: Ground) -> Iterable[Ground]:
             yield from _atoms(arg)
     else:
         yield term
+
+
+@lru_cache(1)
+def shared_space(domain: Domain, limit: int = 200_000) -> Space:
+    """The space of a domain, which runs in it share: that of the last domain is kept."""
+    return Space(domain, limit)

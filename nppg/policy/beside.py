@@ -11,14 +11,14 @@ import signal
 import sys
 import time
 import warnings
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Sequence
+from contextlib import suppress
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection
 from subprocess import DEVNULL, Popen
 from typing import Any, Protocol
 
-from nppg.bridge.interrupts import heed_interrupt
+from nppg.bridge.interrupts import born_deaf, heed_interrupt
 from nppg.logic.query import Query
 from nppg.policy.policy import Policy
 from nppg.trees.tree import Tree
@@ -50,7 +50,7 @@ class Beside:
         self._connection, other = Pipe()
         number = other.fileno()
         program = f"import sys; sys.path[:] = {sys.path!r}; from {__name__} import serve; serve({number})"
-        with other, _held_back():  # a process of its own: one that has started Prolog cannot be forked
+        with other, born_deaf():  # a process of its own: one that has started Prolog cannot be forked
             self._process = Popen([sys.executable, "-c", program], stdin=DEVNULL, stdout=DEVNULL, pass_fds=[number])
 
     @property
@@ -155,20 +155,6 @@ class Others:
         """Ends them."""
         for each in self._processes:
             each.close()
-
-
-@contextmanager
-def _held_back() -> Iterator[None]:
-    """Ctrl-C on the terminal is for the process that starts others, not for those, which take over what is held back
-    here."""
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def serve(number: int) -> None:
