@@ -3,7 +3,8 @@
 A *component* of a query without redundant literals has a number, the same for all that differ by the names of
 existential variables and by order. The key of a query is the set of the numbers of its components: two queries are
 θ-equivalent exactly if their keys are equal. The key of two parts without a common existential variable is the union of
-their keys, unless a literal of the one may map to one of the other: that is told by their patterns."""
+their keys, unless a substitution may map a literal of the one to one of the other: where terms stand tells that.
+"""
 
 from __future__ import annotations
 
@@ -171,8 +172,8 @@ def _is_built_in(literal: Literal) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class _Part:
-    """What of a query comes to be one component with literals that extend it. `others` are its other
-    literals, the rest."""
+    """What of a query comes to be one component with literals that extend it. `others` are its other literals, and `rest`
+    is their form."""
 
     query: Query
     is_plain: bool
