@@ -172,8 +172,7 @@ def _is_built_in(literal: Literal) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class _Part:
-    """What of a query comes to be one component with literals that extend it. `others` are its other literals, and `rest`
-    is their form."""
+    """What of a query comes to be one component with literals that extend it, and its `others`, of the form `rest`."""
 
     query: Query
     is_plain: bool
