@@ -53,14 +53,14 @@ def rows() -> Iterator[Row]:
     yield _row("summing a policy's trees for 2,000 new rows of answers, by trees", TREES, _sums(), "s")
     yield _row("one tree, by examples", EXAMPLES, _fits(), "s")
     yield _row(
-        "refinements of twelve queries of two tests, by modes",
+        "refinements of four queries of two tests, by modes",
         MODES,
         (_refined(modes, 1) for modes in MODES),
         "s",
         "with lookahead each literal is followed by each mode about its new variable: candidates grow as the square",
     )
     yield _row(
-        "refinements of twelve queries of two tests, by 1 + lookahead",
+        "refinements of four queries of two tests, by 1 + lookahead",
         [1 + each for each in LOOKAHEAD],
         (_refined(15, lookahead) for lookahead in LOOKAHEAD),
         "s",

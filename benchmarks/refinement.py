@@ -16,7 +16,7 @@ from nppg.bias.refinement import Refiner
 from nppg.logic.query import Query
 from nppg.logic.subsumption import normal_form
 
-QUERIES = 12
+QUERIES = 4
 SETTINGS = [(5, 1, 2), (15, 1, 2), (30, 1, 2), (60, 1, 2), (15, 0, 2), (15, 2, 2), (15, 1, 0), (15, 1, 1), (15, 1, 3)]
 
 
