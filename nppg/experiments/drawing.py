@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
+
+from nppg.bridge.files import replacing
 
 
 def pyplot() -> Any:
@@ -15,3 +18,13 @@ def pyplot() -> Any:
     from matplotlib import pyplot
 
     return pyplot
+
+
+def save_curve(figure: Any, axes: Any, measure: str, title: str, path: Path) -> None:
+    """Finishes the picture of a learning curve, whose lines are drawn, and writes it."""
+    axes.set(xlabel="episodes", ylabel=measure, title=title)
+    if measure == "success":
+        axes.set(ylim=(-0.02, 1.02))
+    axes.grid(alpha=0.3)
+    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
+    replacing(path, lambda temporary: figure.savefig(temporary, format="png", dpi=120))

@@ -140,12 +140,7 @@ def _draw(progress: Progress, path: Path) -> bool:
     played = [point for point in progress.curve if point.episode]
     lately = [point.episode for point in played], [point.recent for point in played]
     axes.plot(*lately, ":", label="recent training episodes", color="grey")
-    axes.set(xlabel="episodes", ylabel=progress.measure, title=_title(progress))
-    if progress.measure == "success":
-        axes.set(ylim=(-0.02, 1.02))
-    axes.grid(alpha=0.3)
-    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
-    replacing(path, lambda temporary: figure.savefig(temporary, format="png", dpi=120))
+    drawing.save_curve(figure, axes, progress.measure, _title(progress), path)
     pyplot.close(figure)
     return True
 

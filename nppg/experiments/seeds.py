@@ -82,11 +82,6 @@ def _draw(finished: Sequence[Job], found: list[dict[str, float]], path: Path) ->
         axes.plot(episodes, middle, color=f"C{number}", label=f"{policy} policy")
         axes.fill_between(episodes, middle - spread, middle + spread, color=f"C{number}", alpha=0.15, linewidth=0)
     what = f"{title(job.domain)}, {job.options.learner}: mean and standard deviation of {len(finished)} runs"
-    axes.set(xlabel="episodes", ylabel=name, title=what + _early(finished, found[-1]))
-    if name == "success":
-        axes.set(ylim=(-0.02, 1.02))
-    axes.grid(alpha=0.3)
-    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
-    replacing(path, lambda temporary: figure.savefig(temporary, format="png", dpi=120))
+    drawing.save_curve(figure, axes, name, what + _early(finished, found[-1]), path)
     pyplot.close(figure)
     return True
