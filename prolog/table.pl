@@ -26,6 +26,7 @@ the goal's objects alone once.
 :- dynamic
     tables/1,
     given/4,                     % Table, Key, Arity, Word: as set_tests/4 had it
+    keeps/1,                     % Table: some of its words have keys below 0
     sized/2.                     % Table, Size: up to how many facts its clauses are good for
 tables(0).
 
@@ -50,6 +51,7 @@ no_words(_, []).
 drop_table(Table) :-
     drop_layout(Table),
     drop_answers(Table),
+    retractall(keeps(Table)),
     retractall(given(Table, _, _, _)),
     retractall(sized(Table, _)),
     retractall(Table:'$row'(_, _, _)),
@@ -69,6 +71,12 @@ set_tests(Table, Dropped, Words, Kinds) :-
     forall(member(Key, Dropped), drop_word(Table, Key)),
     forall(member([Key, Arity, Word], Words),
            ( assertz(given(Table, Key, Arity, Word)), compile_word(Table, Key, Arity, Word) )),
+    retractall(keeps(Table)),
+    (   given(Table, Kept, _, _),
+        Kept < 0
+    ->  assertz(keeps(Table))
+    ;   true
+    ),
     retractall(Table:'$questions'(_, _, _, _, _, _, _, _, _)),
     set_kinds(Kinds, 0, Table).
 
@@ -148,8 +156,7 @@ rows(Table, Actions, Kinds, Words) :-
     length(Words, Count),
     Asked is 60*Count,
     keysort(Shared, Sorted),
-    (   given(Table, Key, _, _),
-        Key < 0
+    (   keeps(Table)
     ->  known_answers(Table, Module, Trie),
         Kept = known(Trie)
     ;   Kept = none
