@@ -116,7 +116,7 @@ def test_it_is_the_same_in_any_number_of_processes(monkeypatch: pytest.MonkeyPat
 
 
 def test_the_command_line_shows_where_it_stands(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    options = "--step second-order --discount 0.95 --episodes 60 --evaluate-every 30 --jobs 1".split()
+    options = ["--step", "second-order", "--episodes", "60", "--evaluate-every", "30", "--jobs", "1"]
     assert main(["train", str(DOORS), "--problems", "1-9", *options, "--output", str(tmp_path)]) == 0
     said = capsys.readouterr()
     assert "problems 4/9" in said.out and not said.err
