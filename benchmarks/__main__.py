@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import os
 import platform
+import sys
 from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
@@ -26,6 +27,8 @@ HEAD = "| what | measured | against | target | met |\n|---|---|---|---|---|"
 
 
 def main() -> None:
+    if sys.argv[1:2] == ["ipc2023"]:
+        return import_module("benchmarks.ipc2023.command").main(sys.argv[2:])
     parser = argparse.ArgumentParser(
         prog="python -m benchmarks", description="The speed tables of docs/performance.md."
     )
