@@ -3,38 +3,59 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from benchmarks.ipc2023 import lama
+from benchmarks.ipc2023 import lama, policies
 from benchmarks.ipc2023.results import Results
-from benchmarks.ipc2023.tasks import DOMAINS
+from benchmarks.ipc2023.tasks import DOMAINS, Setting
 
-PARTS = (lama.PART,)
+PARTS = (policies.LEARN, *policies.MODELS, lama.PART)
 
 
 def main(arguments: Sequence[str]) -> None:
-    parser = argparse.ArgumentParser(prog="python -m benchmarks ipc2023", description=__doc__)
-    parser.add_argument("--data", type=Path, required=True, metavar="FOLDER", help="NAME/domain.pddl, reference.json")
-    parser.add_argument("--output", type=Path, default=Path("runs/ipc2023"), metavar="FOLDER", help="(default: %(default)s)")
-    parser.add_argument("--parts", type=_names(PARTS), default=PARTS, help=f"of {','.join(PARTS)} (default: all)")
-    parser.add_argument("--domains", type=_names(DOMAINS), default=DOMAINS, help="(default: all)")
-    parser.add_argument("--problems", type=int, metavar="N", help="the first N of each level (default: all)")
-    parser.add_argument("--seconds", type=int, default=60, help="for a problem, of processor time (default: 60)")
-    parser.add_argument("--gigabytes", type=int, default=8, help="for a problem (default: 8)")
-    parser.add_argument(
-        "--give-up", type=int, default=5, metavar="N", help="LAMA: after N unsolved problems of a level (default: 5)"
+    """Does what has no result yet."""
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks ipc2023",
+        description="Learns the competition's domains and judges policies, rules and LAMA on its testing problems. "
+        "What has a result is not done again. Times are of the processor.",
     )
+    add = parser.add_argument
+    add("--data", type=Path, required=True, metavar="FOLDER", help="the competition's files")
+    add("--output", type=Path, default=Path("runs/ipc2023"), metavar="FOLDER", help="results (default: %(default)s)")
+    add("--parts", type=_names(PARTS), default=PARTS, metavar="NAMES", help=f"(default: {','.join(PARTS)})")
+    add("--domains", type=_names(DOMAINS), default=DOMAINS, metavar="NAMES", help="(default: all, in this order)")
+    add("--seeds", type=_seeds, default=[0], metavar="NUMBERS", help="(default: 0)")
+    add("--problems", type=int, metavar="N", help="the first N of each level (default: all)")
+    add("--learn-seconds", type=int, default=900, metavar="S", help="for a domain (default: 900)")
+    add("--distill-seconds", type=int, default=600, metavar="S", help="for its rules (default: 600)")
+    add("--seconds", type=int, default=60, metavar="S", help="for a problem (default: 60)")
+    add("--gigabytes", type=int, default=8, metavar="N", help="for a problem (default: 8)")
+    add("--give-up", type=int, default=5, metavar="N", help="LAMA: after N unsolved ones in a row (default: 5)")
     options = parser.parse_args(arguments)
-    results = Results(options.output)
+    setting = Setting(
+        options.data,
+        Results(options.output),
+        options.seconds,
+        options.gigabytes,
+        options.learn_seconds,
+        options.distill_seconds,
+        options.give_up,
+        options.problems,
+    )
     for domain in options.domains:
+        for seed in options.seeds:
+            if policies.LEARN in options.parts:
+                policies.learn(setting, domain, seed)
+            if "rules" in options.parts:
+                policies.distill(setting, domain, seed)
+            for part in (part for part in policies.MODELS if part in options.parts):
+                policies.act(setting, part, domain, seed)
         if lama.PART in options.parts:
-            lama.plan_all(
-                options.data, domain, results, options.seconds, options.gigabytes, options.give_up, options.problems
-            )
+            lama.plan_all(setting, domain)
 
 
-def _names(known: Sequence[str]):
+def _names(known: Sequence[str]) -> Callable[[str], list[str]]:
     def read(text: str) -> list[str]:
         names = text.split(",")
         if wrong := set(names) - set(known):
@@ -42,3 +63,7 @@ def _names(known: Sequence[str]):
         return names
 
     return read
+
+
+def _seeds(text: str) -> list[int]:
+    return [int(each) for each in text.split(",")]

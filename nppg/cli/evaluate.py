@@ -32,6 +32,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     chooses.add_argument("--stochastic", action="store_true", help="draw actions by their probabilities")
     add_acting(parser)
+    parser.add_argument(
+        "--seconds", type=float, metavar="S", help="time to act on each problem, which is not solved after it"
+    )
     parser.add_argument("--seed", type=int, default=0, help="of the sampled starts, and of what is drawn (default: 0)")
     form = parser.add_mutually_exclusive_group()
     form.add_argument("--json", action="store_true", help="print one JSON object")
@@ -44,8 +47,9 @@ def run(options: argparse.Namespace) -> int:
     if options.problems:
         _on_problems(options, policy)
         return 0
-    if options.csv or options.no_revisits:
-        raise NppgError(f"--{'csv' if options.csv else 'no-revisits'} is for problems: name them by --problems")
+    for name in ("csv", "no_revisits", "seconds"):
+        if getattr(options, name):
+            raise NppgError(f"--{name.replace('_', '-')} is for problems: name them by --problems")
     factor = loading.factor(options, policy)
     if options.exact:
         result = evaluate_exactly(policy, options.greedy, factor)
@@ -71,6 +75,7 @@ def _on_problems(options: argparse.Namespace, policy: Policy) -> None:
         greedy=not options.stochastic,
         horizon_factor=loading.factor(options, policy),
         revisits=not options.no_revisits,
+        within=options.seconds,
     )
     if options.csv:
         table = csv.writer(sys.stdout, lineterminator="\n")
