@@ -64,6 +64,11 @@ class Options(Common):
         0.0, "share of min_examples that each tree adds to it, so that later trees average over more", low=0
     )
     episodes_per_iteration: int = option(1, "least number of episodes between two trees", low=1)
+    curriculum: str = option(
+        "yes",
+        "whether problems are learned from the smallest on, more as success rises; without problems it is the same",
+        choices=("no", "yes"),
+    )
     update: str = option("all", "actions that get an example: all, or the one taken", choices=("all", "taken"))
     step: str = option(
         "gradient",

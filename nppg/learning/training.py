@@ -11,6 +11,7 @@ import numpy as np
 from nppg.answers.table import Table, TestTable
 from nppg.bias.language_bias import LanguageBias
 from nppg.learning.critic import critic
+from nppg.learning.curriculum import curriculum_of
 from nppg.learning.episode import Episode, Step
 from nppg.learning.gradient import functional_gradient, taken_gradient
 from nppg.learning.line_search import step_size
@@ -29,11 +30,13 @@ _LARGE = 200  # a table of more tests is asked about steps that trees learn from
 
 @dataclass(frozen=True, slots=True)
 class Iteration:
-    """The policy after one more tree; `episodes` counts all so far, `recent` are those since the last tree."""
+    """The policy after one more tree; `episodes` counts all so far, `recent` are those since the last tree. `stage`:
+    how far the curriculum is, where there is one."""
 
     policy: Policy
     episodes: int
     recent: tuple[Episode, ...]
+    stage: str = ""
 
 
 def updated_actions(step: Step, options: Options) -> slice:
@@ -95,11 +98,12 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None, jo
     batch: list[Visit] = []
     recent: list[Episode] = []
     gathered = 0
-    yield Iteration(policy, 0, ())
+    curriculum = curriculum_of(domain) if options.curriculum == "yes" else None
+    yield Iteration(policy, 0, (), str(curriculum or ""))
     if are_many(options):
-        episodes = iterations_episodes(policy, options, jobs)
+        episodes = iterations_episodes(policy, options, jobs, curriculum)
     else:
-        episodes = training_episodes(policy, np.random.default_rng(options.seed), options)
+        episodes = training_episodes(policy, np.random.default_rng(options.seed), options, curriculum)
     for count, episode in enumerate(episodes, 1):
         recent.append(episode)
         new = judge.visits(episode)
@@ -118,5 +122,5 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None, jo
             memory.extend(visit for visit in learned if visit.value != 0)
             policy.add(tree, eta, f"step size {eta}, {gathered} examples, {leaves(tree)} leaves")
             judge.learn(batch)
-        yield Iteration(policy, count, tuple(recent))
+        yield Iteration(policy, count, tuple(recent), str(curriculum or ""))
         batch, recent, gathered = [], [], 0
