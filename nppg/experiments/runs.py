@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import tempfile
 import time
 from collections.abc import Callable
@@ -42,7 +43,7 @@ def run(
     the policy is evaluated: exactly where the domain allows it and has few classes of states; on some of the problems,
     20 at most, each once; else on `starts` sampled starts, by default 1000, which are drawn in place of problems, too,
     where they are given. With `until_success` or `until_return` the run ends at the first such point where the
-    stochastic policy reaches it; for a return all points are sampled. It ends, too, with the next tree after so many
+    stochastic policy reaches it; for a return all points are sampled. It ends, too, with the episode after so many
     `seconds` of learning. `space` is the domain's, where the caller has it already. Up to `jobs` processes work at the
     run, with the same numbers: sampled points may then be drawn while training goes on, and come later, in order.
 
@@ -62,10 +63,14 @@ def run(
     points: Points | None = None
     # where several processes learn, time is the clock's, else the processor's, which has other things to do
     now = time.perf_counter if jobs > 1 and are_many(options) else time.process_time
+
+    def is_over() -> bool:
+        return progress is not None and progress.seconds + now() - clock >= judging.get("seconds", math.inf)
+
     at_once = until_success is not None or until_return is not None
     try:
         clock = now()
-        for iteration in train(domain, bias, options, jobs):
+        for iteration in train(domain, bias, options, jobs, is_over):
             progress = progress or Progress(iteration.policy, options, judging)
             _advance(progress, iteration, now() - clock)
             if is_due(progress, len(iteration.recent), evaluate_every):
