@@ -9,11 +9,12 @@ from __future__ import annotations
 import argparse
 import os
 import platform
+import sys
 from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
 
-from benchmarks.common import Row
+from benchmarks.common import Row, splice
 
 TABLES = {  # by their markers in the file
     "table": ("refinement", "coverage", "one_tree", "potentials", "training", "learners"),
@@ -26,6 +27,8 @@ HEAD = "| what | measured | against | target | met |\n|---|---|---|---|---|"
 
 
 def main() -> None:
+    if sys.argv[1:2] == ["ipc2023"]:
+        return import_module("benchmarks.ipc2023.command").main(sys.argv[2:])
     parser = argparse.ArgumentParser(
         prog="python -m benchmarks", description="The speed tables of docs/performance.md."
     )
@@ -72,14 +75,6 @@ def _processor() -> str:
                 yield each.split(":", 1)[1].strip()
 
     return next(models(), platform.processor() or platform.machine())
-
-
-def splice(path: Path | None, name: str, text: str) -> None:
-    """Replaces what stands between the markers <!-- name --> and <!-- /name --> of a file."""
-    if path:
-        before, rest = path.read_text().split(f"<!-- {name} -->\n", 1)
-        after = rest.split(f"<!-- /{name} -->", 1)[1]
-        path.write_text(f"{before}<!-- {name} -->\n{text}\n<!-- /{name} -->{after}")
 
 
 if __name__ == "__main__":

@@ -48,3 +48,11 @@ def peak() -> int:
 
     most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     return most // 1024 if sys.platform == "darwin" else most
+
+
+def splice(path: Path | None, name: str, text: str) -> None:
+    """Replaces what stands between the markers <!-- name --> and <!-- /name --> of a file."""
+    if path:
+        before, rest = path.read_text().split(f"<!-- {name} -->\n", 1)
+        after = rest.split(f"<!-- /{name} -->", 1)[1]
+        path.write_text(f"{before}<!-- {name} -->\n{text}\n<!-- /{name} -->{after}")

@@ -14,7 +14,8 @@ import sys
 from pathlib import Path
 from statistics import median
 
-from benchmarks.__main__ import machine, splice
+from benchmarks.__main__ import machine
+from benchmarks.common import splice
 
 HERE = Path(__file__).parent.parent
 HEAD = """

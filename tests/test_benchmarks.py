@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from benchmarks import floor, one_tree
-from benchmarks.__main__ import line, splice
-from benchmarks.common import Row
+from benchmarks.__main__ import line
+from benchmarks.common import Row, splice
 from nppg import Domain, LanguageBias
 from nppg.trees.tilde import fit
 

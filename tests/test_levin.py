@@ -17,7 +17,7 @@ from nppg import NppgError, Policy, language_bias_of, open_domain
 from nppg.cli.main import main
 from nppg.judging import levin
 from nppg.judging.levin import search, searched
-from nppg.judging.problems import DEAD_END, LIMIT, SOLVED, attempt
+from nppg.judging.problems import DEAD_END, LIMIT, SOLVED, TIME, attempt
 from nppg.worlds.domain import Domain
 from nppg.worlds.problems import numbered
 from nppg.worlds.state import Interpretation, static_facts
@@ -66,7 +66,7 @@ def test_it_keeps_to_its_limits(library: Policy) -> None:
     short = search(library, 2, needed - 1)
     assert (short.ended, short.steps, short.plan, short.expansions) == (LIMIT, 0, (), needed - 1)
     late = search(library, 2, seconds=0.0)
-    assert late.ended == LIMIT and late.expansions == 0
+    assert late.ended == TIME and late.expansions == 0
     with pytest.raises(NppgError, match="budget must be at least 1"):
         search(library, 2, 0)
 

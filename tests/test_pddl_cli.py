@@ -55,6 +55,15 @@ def test_problems_are_judged_one_by_one(model: str, capsys: pytest.CaptureFixtur
     assert [row["name"] for row in rows] == ["p01", "p02", "p04"]
 
 
+def test_what_takes_too_long_is_not_solved(model: str, capsys: pytest.CaptureFixture[str]) -> None:
+    def ends(*options: str) -> list[tuple[str, int]]:
+        assert main(["evaluate", model, "--problems", *PROBLEMS, "--json", *options]) == 0
+        return [(each["ended"], each["steps"]) for each in json.loads(capsys.readouterr().out)["list"]]
+
+    assert ends("--seconds", "1e-9") == [("time", 0)] * len(PROBLEMS)
+    assert ends("--seconds", "1000") == ends()
+
+
 def test_a_plan_is_printed_or_what_stopped_it(model: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["plan", model, PROBLEMS[2]]) == 0
     *steps, cost = capsys.readouterr().out.splitlines()

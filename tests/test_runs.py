@@ -21,6 +21,7 @@ from nppg.bridge.files import shipped
 from nppg.bridge.interrupts import interruptible, undisturbed
 from nppg.cli.main import main
 from nppg.errors import NppgError
+from nppg.experiments.run_files import is_finished
 from nppg.experiments.runs import run
 from nppg.learning import training
 from nppg.learning.options import Options
@@ -77,6 +78,19 @@ def test_a_run_replaces_what_an_earlier_run_wrote_and_only_that(
     capsys.readouterr()
     assert train(folder, mine) == 2
     assert "left as it is" in capsys.readouterr().err and "edited" in (folder / mine.name).read_text()
+
+
+def test_a_run_ends_with_its_seconds_as_with_its_episodes(tmp_path: Path) -> None:
+    assert train(tmp_path, "blocks_world", "--episodes", "100000", "--seconds", "0.1") == 0
+    summary = json.loads((tmp_path / "run.json").read_text())
+    assert summary["seconds"] >= 0.1 and summary["episodes"] < 100000 and summary["trees"] > 0
+    assert summary["last"]["episode"] == summary["episodes"]
+    assert "model(curve, seconds=0.1)" in (tmp_path / "model.pl").read_text()
+    settings = {name: summary[name] for name in ("domain", "bias", "options", "curve")}
+    assert is_finished(tmp_path, settings)
+    summary["seconds"] = 0.05
+    (tmp_path / "run.json").write_text(json.dumps(summary))
+    assert not is_finished(tmp_path, settings)
 
 
 def test_a_probe_for_a_folder_leaves_files_alone(tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import csv
 import json
+import math
 import sys
 from collections.abc import Sequence
 from dataclasses import asdict
@@ -34,6 +35,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     chooses.add_argument("--stochastic", action="store_true", help="draw actions by their probabilities")
     add_acting(parser)
+    parser.add_argument(
+        "--seconds", type=float, metavar="S", help="of acting or searching, after which a problem is not solved"
+    )
     add_search(parser)
     parser.add_argument("--seed", type=int, default=0, help="of the sampled starts, and of what is drawn (default: 0)")
     form = parser.add_mutually_exclusive_group()
@@ -48,9 +52,9 @@ def run(options: argparse.Namespace) -> int:
     if options.problems:
         _on_problems(options, policy, searches)
         return 0
-    if options.csv or options.no_revisits or searches:
-        name = "csv" if options.csv else "search" if searches else "no-revisits"
-        raise NppgError(f"--{name} is for problems: name them by --problems")
+    for name in ("csv", "no_revisits", "seconds", "search"):
+        if getattr(options, name):
+            raise NppgError(f"--{name.replace('_', '-')} is for problems: name them by --problems")
     factor = loading.factor(options, policy)
     if options.exact:
         result = evaluate_exactly(policy, options.greedy, factor)
@@ -71,7 +75,9 @@ def _on_problems(options: argparse.Namespace, policy: Policy, searches: bool) ->
     if options.exact:
         raise NppgError("--exact is about all start states, not about problems")
     if searches:
-        found = searched(policy, BUDGET if options.budget is None else options.budget, seed=options.seed)
+        budget = BUDGET if options.budget is None else options.budget
+        seconds = math.inf if options.seconds is None else options.seconds
+        found = searched(policy, budget, seconds, options.seed)
     else:
         found = attempts(
             policy,
@@ -79,6 +85,7 @@ def _on_problems(options: argparse.Namespace, policy: Policy, searches: bool) ->
             greedy=not options.stochastic,
             horizon_factor=loading.factor(options, policy),
             revisits=not options.no_revisits,
+            within=options.seconds,
         )
     columns = (*_COLUMNS, "expansions") if searches else _COLUMNS
     if options.csv:

@@ -54,6 +54,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="R",
         help="stop at the first point with this mean return; points are then sampled, not exact",
     )
+    files.add_argument(
+        "--seconds", type=float, metavar="S", help="stop with the episode after so many seconds of learning"
+    )
     files.add_argument("--quiet", action="store_true", help="print nothing")
     many = parser.add_argument_group("several runs")
     many.add_argument(
@@ -91,9 +94,11 @@ def run(options: argparse.Namespace) -> int:
     least = options.until_return
     if least is not None and not (math.isfinite(least) and options.evaluate_every != 0):
         raise NppgError("until-return must be a finite number, and needs points of the curve (evaluate-every)")
+    if options.seconds is not None and not options.seconds > 0:
+        raise NppgError("seconds must be greater than 0")
     output = options.output or Path("runs") / (domain.name if options.seeds is None else f"{domain.name}-seeds")
     if options.seeds is not None:
-        judging = runs.judging_of(domain, options.evaluate_every, starts, until, least)
+        judging = runs.judging_of(domain, options.evaluate_every, starts, until, least, options.seconds)
         return _with_seeds(options, Job(packed(domain, bias), chosen, judging, output))
     if options.cluster is not None:
         raise NppgError("--cluster is for several runs: give --seeds")
@@ -111,6 +116,7 @@ def run(options: argparse.Namespace) -> int:
             until,
             until_return=least,
             jobs=processes,
+            seconds=options.seconds,
         )
     if not options.quiet:
         print(f"written to {output}/: {', '.join(progress.written)}")

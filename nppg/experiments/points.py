@@ -127,8 +127,8 @@ def is_due(progress: Progress, episodes: int, every: int) -> bool:
     """Whether a point is, after so many more episodes: one every so many, and at the beginning and the end."""
     if every == 0:
         return False
-    at_end = progress.episodes == progress.options.episodes
-    return progress.episodes == 0 or (progress.episodes - episodes) // every < progress.episodes // every or at_end
+    passed = (progress.episodes - episodes) // every < progress.episodes // every
+    return progress.episodes == 0 or passed or progress.is_spent
 
 
 def _exact(progress: Progress, space: Space | None) -> ExactEvaluator | None:

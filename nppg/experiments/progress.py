@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import TypedDict
 
@@ -15,8 +16,13 @@ MEASURES = {"success": ("success", "greedy_success"), "return": ("mean_return", 
 _RECENT = 100  # episodes that `recent` is the mean of
 
 
-class Judging(TypedDict):
-    """The arguments of `run` about the curve, with what is meant where they are left out."""
+class _Seconds(TypedDict, total=False):
+    seconds: float
+
+
+class Judging(_Seconds):
+    """The arguments of `run` about the curve and where it ends, with what is meant where they are left out; `seconds`
+    are left out themselves."""
 
     evaluate_every: int
     starts: int | None
@@ -66,6 +72,11 @@ class Progress:
     def measure(self) -> str:
         """What episodes are judged by."""
         return measured(self.policy.domain, self.judging)
+
+    @property
+    def is_spent(self) -> bool:
+        """Whether all episodes were played, or all the seconds that it may learn are over."""
+        return self.episodes == self.options.episodes or self.seconds >= self.judging.get("seconds", math.inf)
 
     def judged(self, point: Point) -> tuple[float, float]:
         """The measure of a point's stochastic policy and of its greedy one."""

@@ -60,7 +60,9 @@ def is_finished(output: Path, wanted: Mapping[str, Any]) -> bool:
         last, judging = summary["last"] or {}, summary["curve"]
         alike = all(summary[name] == value for name, value in json.loads(json.dumps(wanted)).items())
         ended = summary["episodes"] == summary["options"]["episodes"] or any_reached(
-            (last.get("success"), judging["until_success"]), (last.get("mean_return"), judging["until_return"])
+            (last.get("success"), judging["until_success"]),
+            (last.get("mean_return"), judging["until_return"]),
+            (summary["seconds"], judging.get("seconds")),
         )
     except (OSError, ValueError, KeyError, TypeError):
         return False
@@ -83,12 +85,13 @@ def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[st
     copies = _copies(domain, bias)
     problems = conflicts(output, copies, _FILES)
     copies = {name: source for name, source in copies.items() if name not in problems}
-    until = (progress.judging["until_success"], progress.judging["until_return"]) != (None, None)
+    judging = progress.judging
+    until = (judging["until_success"], judging["until_return"]) != (None, None) or "seconds" in judging
     facts = [
         *([("bias", Path(bias.file).name), ("bias_sha256", bias.hash)] if bias.source else []),
         *(("option", ("=", name, value)) for name, value in asdict(options).items()),
         *(("tree", ("=", name, value)) for name, value in asdict(bias.tree).items()),
-        *(("curve", ("=", name, value)) for name, value in progress.judging.items() if until and value is not None),
+        *(("curve", ("=", name, value)) for name, value in judging.items() if until and value is not None),
         ("trained_episodes", progress.episodes),
     ]
     for name in {name for name in earlier if name.endswith(BESIDE)} - set(copies) - set(problems):
@@ -101,7 +104,7 @@ def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[st
         "prolog": ask("version"),
         "python": platform.python_version(),
         "numpy": np.__version__,
-        **settings(domain, bias, options, progress.judging),
+        **settings(domain, bias, options, judging),
         "episodes": progress.episodes,
         **policy.sizes(),
         "seconds": round(progress.seconds, 3),

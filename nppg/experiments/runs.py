@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import tempfile
 import time
 from collections.abc import Callable
@@ -34,6 +35,7 @@ def run(
     space: Space | None = None,
     until_return: float | None = None,
     jobs: int = 1,
+    seconds: float | None = None,
 ) -> Progress:
     """Trains and writes the files into the folder `output`; `options` are by default, None, those of the bias.
 
@@ -41,16 +43,16 @@ def run(
     the policy is evaluated: exactly where the domain allows it and has few classes of states; on some of the problems,
     20 at most, each once; else on `starts` sampled starts, by default 1000, which are drawn in place of problems, too,
     where they are given. With `until_success` or `until_return` the run ends at the first such point where the
-    stochastic policy reaches it; for a return all points are sampled. `space` is the domain's, where the caller has it
-    already. Up to `jobs` processes work at the run, with the same numbers: sampled points may then be drawn while
-    training goes on, and come later, in order.
+    stochastic policy reaches it; for a return all points are sampled. It ends, too, with the episode after so many
+    `seconds` of learning. `space` is the domain's, where the caller has it already. Up to `jobs` processes work at the
+    run, with the same numbers: sampled points may then be drawn while training goes on, and come later, in order.
 
     On KeyboardInterrupt the files are written for what has been learned, then it is raised again; after a mistake of
     the domain they are written as far as there was none before, so that nothing is lost and nothing overwritten. Raises
     NppgError, before it starts, where a file that no run wrote stands in the way of a copy of the domain or the bias.
     """
     options = options_of(bias) if options is None else options
-    judging = judging_of(domain, evaluate_every, starts, until_success, until_return)
+    judging = judging_of(domain, evaluate_every, starts, until_success, until_return, seconds)
     evaluate_every, starts = judging["evaluate_every"], judging["starts"]
     problems = bias.check(domain.predicates, domain.actions)
     problems += in_the_way(domain, bias, output)
@@ -59,28 +61,33 @@ def run(
     make_folder(output)
     progress: Progress | None = None
     points: Points | None = None
+    # where several processes learn, time is the clock's, else the processor's, which has other things to do
+    now = time.perf_counter if jobs > 1 and are_many(options) else time.process_time
+
+    def is_over() -> bool:
+        return progress is not None and progress.seconds + now() - clock >= judging.get("seconds", math.inf)
+
     at_once = until_success is not None or until_return is not None
     try:
-        clock = time.perf_counter()
-        for iteration in train(domain, bias, options, jobs):
+        clock = now()
+        for iteration in train(domain, bias, options, jobs, is_over):
             progress = progress or Progress(iteration.policy, options, judging)
-            _advance(progress, iteration, time.perf_counter() - clock)
+            _advance(progress, iteration, now() - clock)
             if is_due(progress, len(iteration.recent), evaluate_every):
                 points = points or Points(progress, starts, space, 1 if at_once or are_many(options) else jobs)
                 points.draw(progress)
-            ended = progress.episodes == options.episodes
-            for point in points.drawn(wait=ended) if points else ():
+            for point in points.drawn(wait=progress.is_spent) if points else ():
                 progress.curve.append(point)  # before others are told, which may end the run
                 if progress.point:
                     report(progress)
                 progress.point = point
             reached = _reached(progress.point, until_success, until_return)
-            progress.ended = reached or ended
+            progress.ended = reached or progress.is_spent
             report(progress)
-            if reached:
+            if progress.ended:
                 break
             progress.point = None
-            clock = time.perf_counter()
+            clock = now()
     except BaseException as error:
         interrupted = isinstance(error, KeyboardInterrupt)
         if progress and (interrupted or not (output / "model.pl").exists()):
@@ -101,14 +108,16 @@ def judging_of(
     starts: int | None,
     until_success: float | None = None,
     until_return: float | None = None,
+    seconds: float | None = None,
 ) -> Judging:
     """These arguments of `run`, with what is meant where they are left out."""
-    return {
+    judging: Judging = {
         "evaluate_every": alone((200 if domain.chosen else 50) if evaluate_every is None else evaluate_every),
         "starts": alone(1000 if starts is None and not domain.chosen else starts),
         "until_success": alone(until_success),
         "until_return": alone(until_return),
     }
+    return judging if seconds is None else {**judging, "seconds": alone(seconds)}
 
 
 def make_folder(output: Path) -> None:

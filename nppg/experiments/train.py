@@ -20,12 +20,19 @@ _GENERATORS: dict[str, Callable[..., Iterator[Iteration]]] = {
 }
 
 
-def train(domain: Domain, bias: LanguageBias, options: Common | None = None, jobs: int = 1) -> Iterator[Iteration]:
+def train(
+    domain: Domain,
+    bias: LanguageBias,
+    options: Common | None = None,
+    jobs: int = 1,
+    is_over: Callable[[], bool] = lambda: False,
+) -> Iterator[Iteration]:
     """Learns as the class of the options says: by policy gradients for Options, by relational Q-learning for TGOptions,
     RIBOptions or TrendiOptions. Left out, they are `options_of` the bias. By policy gradients up to `jobs` processes
-    play the episodes of an iteration, if it has many.
-    Yields as it learns, the first time before it has learned anything. Raises NppgError."""
+    play the episodes of an iteration, if it has many, and the episode is the last after which it `is_over`.
+    Yields as it learns, the first time before it has learned anything; by relational Q-learning after each episode.
+    Raises NppgError."""
     options = options_of(bias) if options is None else options
     if isinstance(options, Options):
-        return training.train(domain, bias, options, jobs)
+        return training.train(domain, bias, options, jobs, is_over)
     return _GENERATORS[options.learner](domain, bias, options)

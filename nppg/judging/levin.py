@@ -21,7 +21,7 @@ from itertools import count
 import numpy as np
 
 from nppg.errors import NppgError, Problem
-from nppg.judging.problems import DEAD_END, LIMIT, SOLVED, Attempt, to_attempt
+from nppg.judging.problems import DEAD_END, LIMIT, SOLVED, TIME, Attempt, to_attempt
 from nppg.learning.options import at_least
 from nppg.policy.policy import Policy, choose_best
 from nppg.worlds.domain import Domain
@@ -49,9 +49,9 @@ class _Node:
 
 
 def search(policy: Policy, problem: int, budget: int = BUDGET, seconds: float = math.inf, seed: int = 0) -> Attempt:
-    """A plan for the problem of this number, in at most so many expansions and about so many seconds: `ended` is
-    solved, `limit`, or `dead end` where no state is left, so that there is no plan. `seed` is of what is drawn, ties.
-    Raises NppgError, also where outcomes are left to chance."""
+    """A plan for the problem of this number, in at most so many expansions and about so many seconds of processor time:
+    `ended` is solved, `limit` or `time`, or `dead end` where no state is left, so that there is no plan. `seed` is of
+    what is drawn, ties. Raises NppgError, also where outcomes are left to chance."""
     domain = policy.domain
     if domain.has_chance or domain.environment:
         what = "its environment cannot be searched" if domain.environment else "its outcomes are left to chance"
@@ -62,13 +62,13 @@ def search(policy: Policy, problem: int, budget: int = BUDGET, seconds: float = 
     tree = _Tree(policy, rng)
     start = domain.problem(problem)
     domain.visit(start)
-    clock = time.perf_counter()
+    clock = time.process_time()
     node: _Node | None = _Node(start)
     ended = DEAD_END
     while node:
         if tree.is_new(node):
-            if tree.expanded == budget or time.perf_counter() - clock > seconds:
-                ended = LIMIT
+            if tree.expanded == budget or time.process_time() - clock > seconds:
+                ended = LIMIT if tree.expanded == budget else TIME
                 break
             if tree.expand(node) == "goal":
                 ended = SOLVED
@@ -76,7 +76,7 @@ def search(policy: Policy, problem: int, budget: int = BUDGET, seconds: float = 
         node = tree.following(unused)
     if unused.bit_generator.state != untouched:
         raise _not_for(domain, "its effects or rewards draw numbers")
-    spent = round(time.perf_counter() - clock, 3)
+    spent = round(time.process_time() - clock, 3)
     path = _path(node) if node and ended == SOLVED else []
     plan = tuple(each.action for each in path)
     cost: float = len(plan)

@@ -20,14 +20,15 @@ SOLVED = "solved"
 DEAD_END = "dead end"
 LOOP = "loop"
 LIMIT = "limit"
+TIME = "time"
 _AGAIN = 3  # an episode that ends at its limit was in a loop if it has been in a state so often
 
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
     """One episode on a problem: `ended` is solved, or what stopped it: a dead end (or another terminal state), a loop,
-    or the limit of steps. `cost` is that of its actions by the domain's cost/2, else their number; `seconds` are those
-    of acting. `plan`: its actions. `expansions`: those of a search."""
+    the limit of steps or of time. `cost` is that of its actions by the domain's cost/2, else their number; `seconds`
+    are those of acting, of processor time. `plan`: its actions. `expansions`: those of a search."""
 
     problem: int
     name: str
@@ -51,23 +52,33 @@ def attempt(
     greedy: bool = True,
     horizon_factor: float = 1.0,
     revisits: bool = True,
+    within: float | None = None,
 ) -> Attempt:
-    """One episode on the problem of this number, from a generator of its own. Raises NppgError."""
+    """One episode on the problem of this number, from a generator of its own; it is not solved where
+    that takes more than `within` seconds of acting. Raises NppgError."""
     domain = policy.domain
     rng = np.random.default_rng([at_least("seed", seed, 0), problem])
     start = domain.problem(problem)
     domain.visit(start)
-    clock = time.perf_counter()
+    clock = time.process_time()
     episode = generate_episode(
-        policy, rng, greedy=greedy, horizon_factor=horizon_factor, start=start, revisits=revisits, scored=False
+        policy,
+        rng,
+        greedy=greedy,
+        horizon_factor=horizon_factor,
+        start=start,
+        revisits=revisits,
+        scored=False,
+        within=within,
     )
-    seconds = time.perf_counter() - clock
+    seconds = time.process_time() - clock
     plan = tuple(step.actions[step.chosen] for step in episode.steps)
     if domain.has_costs:
         cost = sum(domain.cost(step.actual, action) for step, action in zip(episode.steps, plan, strict=True))
     else:
         cost = len(plan)
-    return Attempt(problem, domain.problems[problem], _ended(episode), len(plan), cost, round(seconds, 3), plan)
+    ended = _ended(episode) if within is None or seconds < within else TIME
+    return Attempt(problem, domain.problems[problem], ended, len(plan), cost, round(seconds, 3), plan)
 
 
 def attempts(
@@ -77,11 +88,12 @@ def attempts(
     greedy: bool = True,
     horizon_factor: float = 1.0,
     revisits: bool = True,
+    within: float | None = None,
 ) -> Iterator[Attempt]:
     """One after the other, on these problems; by default on those that the domain's start states are drawn from, or
     all of them."""
     for problem in to_attempt(policy.domain, problems):
-        yield attempt(policy, problem, seed, greedy, horizon_factor, revisits)
+        yield attempt(policy, problem, seed, greedy, horizon_factor, revisits, within)
 
 
 def to_attempt(domain: Domain, problems: Iterable[int] | None) -> Iterable[int]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -97,12 +98,14 @@ def generate_episode(
     start: State | None = None,
     revisits: bool = True,
     scored: bool = True,
+    within: float | None = None,
     floor: float = 0.0,
 ) -> Episode:
     """Draws a start state, unless it is given one, and acts until the episode ends: in a goal or terminal state, or cut
-    off, by its environment or after horizon_factor times the domain's horizon. Without `revisits` no action is taken
-    that leads for certain to a state that the episode has been in, while there is another one. Where not all actions
-    need be `scored`, a greedy list of rules is asked for a best one alone.
+    off, by its environment, after horizon_factor times the domain's horizon, or when it is not over `within` so many
+    seconds of processor time. Without `revisits` no action is taken that leads for certain to a state that the episode
+    has been in, while there is another one. Where not all actions need be `scored`, a greedy list of rules is asked for
+    a best one alone.
 
     With probability `guidance` the whole episode is a trace of the domain's expert; where it has no advice, the policy
     acts: greedily, if it is to or does so wherever it does not learn; of its other actions the share `floor` is drawn
@@ -115,11 +118,12 @@ def generate_episode(
     state = domain.start(rng) if start is None else start
     met = None if revisits else {domain.interpreted(state).fingerprint}
     most = longest(domain.horizon(state), horizon_factor)
+    until = None if within is None else time.process_time() + within
     steps: list[Step] = []
     lean = greedy and revisits and not (scored or guided or learning or domain.has_observation)
     lean = lean and policy.is_rules
     status, actions = domain.situation(state, lean)
-    while status == "running" and len(steps) < most:
+    while status == "running" and len(steps) < most and not _is_over(until):
         seen = domain.observe(state, rng)
         advice: list[Action] = []
         if lean:
@@ -149,6 +153,11 @@ def generate_episode(
 
 def _floored(probabilities: np.ndarray, floor: float) -> np.ndarray:
     return (1 - floor) * probabilities + floor / len(probabilities) if floor else probabilities
+
+
+def _is_over(until: float | None) -> bool:
+    """Whether it is this processor time, if it is limited."""
+    return until is not None and time.process_time() >= until
 
 
 def _leading_on(

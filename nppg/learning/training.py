@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,9 +34,16 @@ def wanted(trees: int, options: Options) -> float:
     return options.min_examples + options.min_examples * options.examples_growth * trees
 
 
-def train(domain: Domain, bias: LanguageBias, options: Options | None = None, jobs: int = 1) -> Iterator[Iteration]:
-    """Yields after each tree, the first time before the first one. Where there are MANY episodes to an iteration, up to
-    `jobs` processes play them, and nothing changes with their number. Raises NppgError.
+def train(
+    domain: Domain,
+    bias: LanguageBias,
+    options: Options | None = None,
+    jobs: int = 1,
+    is_over: Callable[[], bool] = lambda: False,
+) -> Iterator[Iteration]:
+    """Yields after each tree, the first time before the first one, the last time after all episodes, or the one after
+    which it `is_over`. Where there are MANY episodes to an iteration, up to `jobs` processes play them, and nothing
+    changes with their number. Raises NppgError.
 
     A policy asks what its trees test. It shares the learner's table, so that its steps have the answers that trees are
     grown from, unless that is large."""
@@ -55,10 +62,13 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None, jo
         course.hear(episode)
         gathered = course.gathered
         enough = gathered > wanted(len(policy.trees), options)
-        if count < options.episodes and not (enough and len(recent) >= options.episodes_per_iteration):
+        last = count == options.episodes or is_over()
+        if not last and not (enough and len(recent) >= options.episodes_per_iteration):
             continue
         if enough and (grown := course.tree(policy)):
             tree, eta = grown
             policy.add(tree, eta, f"step size {eta}, {gathered} examples, {leaves(tree)} leaves")
         yield Iteration(policy, count, tuple(recent), str(curriculum or ""))
+        if last:
+            return
         recent = []

@@ -1,0 +1,102 @@
+"""What nppg learns from a domain's training problems, and how that does on its testing problems.
+
+Everything is a command that a user could give, in a process of its own with the limits of time and memory.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+from collections.abc import Sequence
+
+from benchmarks.ipc2023.processes import TIME, Ended, run
+from benchmarks.ipc2023.results import Line
+from benchmarks.ipc2023.tasks import LEVELS, SOLVED, Setting
+
+LEARN, DISTILL = "learn", "distill"
+MODELS = {"policy": "model.pl", "rules": "rules.pl", "levin": "model.pl"}  # what acts, by the part that judges it
+_SEARCH = {"levin": ("--search", "levin", "--budget", str(10**9))}  # the seconds end it
+_RULE = re.compile(r"^delta\(1, ", re.MULTILINE)
+
+
+def learn(setting: Setting, domain: str, seed: int) -> None:
+    """Trains with the options of the domain's own generated bias, in one process."""
+    key = {"part": LEARN, "domain": domain, "seed": seed}
+    if setting.results.has(**key):
+        return
+    folder, problems = setting.folder(domain, seed), map(str, setting.training(domain))
+    command = ["train", f"{domain}/domain.pddl", "--seed", str(seed), "--seconds", str(setting.learn_seconds)]
+    done = run(
+        _nppg(*command, "--jobs", "1", "--evaluate-every", "0", "--output", str(folder), "--problems", *problems),
+        setting.data,
+    )
+    if done.status != 0:
+        raise RuntimeError(f"learning {domain}, seed {seed}: {done.errors[-2000:]}")
+    summary = json.loads((folder / "run.json").read_text())
+    line = setting.results.add(
+        {
+            **key,
+            **{name: summary[name] for name in ("seconds", "episodes", "trees", "leaves")},
+            "processor": done.seconds,
+            "limit": setting.learn_seconds,
+            "bytes": (folder / MODELS["policy"]).stat().st_size,
+            "command": " ".join(["nppg", *command, "--problems", f"{domain}/training/*/*.pddl"]),
+        }
+    )
+    print(*key.values(), line["episodes"], "episodes", line["trees"], "trees", line["seconds"], flush=True)
+
+
+def distill(setting: Setting, domain: str, seed: int) -> None:
+    """A list of few rules for the policy that was learned."""
+    key = {"part": DISTILL, "domain": domain, "seed": seed}
+    folder = setting.folder(domain, seed)
+    if setting.results.has(**key) or not (folder / MODELS["policy"]).exists():
+        return
+    done = run(_nppg("distill", MODELS["policy"]), folder, setting.distill_seconds, setting.gigabytes)
+    rules = _RULE.findall((folder / MODELS["rules"]).read_text()) if done.status == 0 else []
+    ended = None if done.status == 0 else done.stopped or _last(done)
+    line = setting.results.add({**key, "seconds": done.seconds, "rules": len(rules) or None, "ended": ended})
+    print(*key.values(), line["rules"], "rules", line["seconds"], ended or "", flush=True)
+
+
+def act(setting: Setting, part: str, domain: str, seed: int) -> None:
+    """Has the policy, or its rules, act on each problem that has no result yet."""
+    folder = setting.folder(domain, seed)
+    for task in (task for level in LEVELS for task in setting.tasks(domain, level)):
+        key = {"part": part, **task.name, "seed": seed}
+        if setting.results.has(**key) or not (folder / MODELS[part]).exists():
+            continue
+        limits = {"limit": setting.seconds, "gigabytes": setting.gigabytes}
+        command = _nppg("evaluate", MODELS[part], "--json", "--seconds", str(setting.seconds), *_SEARCH.get(part, ()))
+        done = run([*command, "--problems", str(task.path)], folder, setting.seconds + 5, setting.gigabytes)
+        line = setting.results.add({**key, **attempted(done, setting.seconds), **limits})
+        print(*key.values(), line["ended"], line["cost"], line["seconds"], line["processor"], flush=True)
+
+
+def attempted(done: Ended, seconds: int) -> Line:
+    """What came of a command that evaluates a model on one problem. Reading model and problem counts, too: `processor`
+    has all the seconds that it took, `seconds` those of acting."""
+    if done.status == 0:
+        (found,) = json.loads(done.output)["list"]
+        ended = found["ended"] if done.seconds <= seconds else TIME
+    else:
+        found, ended = {}, done.stopped or _last(done)
+    solved = ended == SOLVED
+    return {
+        "solved": solved,
+        "ended": ended,
+        "cost": found["cost"] if solved else None,
+        "steps": found.get("steps"),
+        "seconds": found.get("seconds"),
+        "processor": done.seconds,
+    }
+
+
+def _last(done: Ended) -> str:
+    """The mistake that a command has told."""
+    return (done.errors.strip().splitlines() or [f"exit {done.status}"])[-1][-200:]
+
+
+def _nppg(*arguments: str) -> Sequence[str]:
+    return [sys.executable, "-m", "nppg", *arguments]
