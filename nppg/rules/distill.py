@@ -9,6 +9,7 @@ like any other.
 
 from __future__ import annotations
 
+import time
 from itertools import product
 from typing import NamedTuple
 
@@ -38,6 +39,8 @@ SECONDS = 60.0
 _PAIRS = 20_000  # of states and actions
 _ANSWERS = 8_000_000  # of these to tests
 _ROUNDS = 3
+_FAILURES = 2  # greater depths in a row that are worth no more, after which no greater one is tried
+_FINALISTS = 4  # lists that are pruned, of which the shortest remains
 _KEPT = 0.98  # of the best quality that was found
 _NOISE = 0.002  # of quality, which choices between equally good actions make
 
@@ -62,7 +65,9 @@ def distilled(
     judged: Domain | None = None,
     seconds: float = SECONDS,
 ) -> Distilled:
-    """The same with a report, in about `seconds`; what is found does not hang on these unless they run out."""
+    """The same with a report, in about `seconds` of the processor's time, half of them to grow rules and half to prune
+    them; what is found does not hang on these unless they run out."""
+    begun = time.process_time()
     if judged is not None and judged.is_countable:
         policy = in_domain(policy, judged)
     domain = policy.domain
@@ -76,8 +81,8 @@ def distilled(
         if not domain.has_goal or domain.environment:
             judge = ReturnJudge(policy, bias)
         else:
-            judge = PlayedJudge(policy, bias, judged or domain, seconds)
-        ordered = _from_met(policy, bias, refiner, table, judge)
+            judge = PlayedJudge(policy, bias, judged or domain, begun + seconds)
+        ordered = _from_met(policy, bias, refiner, table, judge, begun + seconds / 2)
     while len(ordered) > max(max_rules, 1):
         ordered = max(one_less(ordered), key=judge.worth)
         ordered = _pruned(ordered, refiner, judge, _KEPT * judge.worth(ordered).quality)
@@ -114,41 +119,59 @@ def _from_all(policy: Policy, bias: LanguageBias, refiner: Refiner, judge: Exact
     return _pruned(best, refiner, judge)
 
 
-def _from_met(policy: Policy, bias: LanguageBias, refiner: Refiner, table: Table, judge: Judge) -> list[Rule]:
-    """Pruned rules, grown from states that the policy meets. Where no list is as good as the policy, what the policy
-    would do in the states that the best one comes to is learned, too."""
+def _from_met(
+    policy: Policy, bias: LanguageBias, refiner: Refiner, table: Table, judge: Judge, until: float
+) -> list[Rule]:
+    """Pruned rules, grown from states that the policy meets. Where no list is good, what the policy would do in the
+    states that the best one comes to is learned, too."""
     preferences = Preferences(policy, table)
     most = min(_PAIRS, _ANSWERS // len(table))
     preferences.add(met_in_episodes(policy), most)
-    wanted = judge.wanted()._replace(quality=_KEPT * judge.wanted().quality)
+    wanted = Worth(1.0, _KEPT) if isinstance(judge, PlayedJudge) else judge.wanted()
     found: list[list[Rule]] = []
     for _ in range(_ROUNDS):
-        for apart in (False, True) if kinds_of_actions(bias) else (False,):
-            found.append(_grown(preferences, bias, refiner, judge, wanted, apart))
+        for good, apart in product(GOOD, (False, True) if kinds_of_actions(bias) else (False,)):
+            found += _grown(preferences, bias, refiner, judge, wanted, good, apart, until)
         best = max(found, key=judge.worth)
-        if judge.reaches(best, wanted) or not isinstance(judge, PlayedJudge):
+        if judge.reaches(best, wanted) or not isinstance(judge, PlayedJudge) or time.process_time() > until:
             break
         most += most // 2
         preferences.add(met_by_others(policy, judge.episodes(best)), most)
     least = judge.worth(best)
     least = least._replace(quality=_KEPT * least.quality)
-    shorter = [_pruned(each, refiner, judge, least.quality) for each in found if judge.reaches(each, least)]
-    return min(shorter, key=lambda each: (len(each), sum(len(rule.query) for rule in each)))
+    finalists = sorted((each for each in found if judge.reaches(each, least)), key=_length)[:_FINALISTS]
+    return min((_pruned(each, refiner, judge, least.quality) for each in finalists), key=_length)
+
+
+def _length(ordered: list[Rule]) -> tuple[int, int]:
+    """Rules, then literals."""
+    return len(ordered), sum(len(rule.query) for rule in ordered)
 
 
 def _grown(
-    preferences: Preferences, bias: LanguageBias, refiner: Refiner, judge: Judge, wanted: Worth, apart: bool
-) -> list[Rule]:
-    """The list of the least depth that is worth what is wanted, or the best one."""
-    best: list[Rule] = []
-    for good in GOOD:
-        examples = preferences.examples(good)
-        agreement = Agreement(examples, preferences.first, preferences.table)
-        for depth in DEPTHS:
-            candidate = grown(examples, bias, preferences.table, refiner, depth, apart)
-            candidate = agreement.shortened(candidate, refiner)
-            if not best or judge.reaches(candidate, judge.worth(best)):
-                best = candidate
-            if judge.worth(best).reaches(wanted):
-                return best
-    return best
+    preferences: Preferences,
+    bias: LanguageBias,
+    refiner: Refiner,
+    judge: Judge,
+    wanted: Worth,
+    good: float,
+    apart: bool,
+    until: float,
+) -> list[list[Rule]]:
+    """Lists of growing depth, until one is worth what is wanted, or deeper ones are worth no more; at least one."""
+    found: list[list[Rule]] = []
+    examples = preferences.examples(good)
+    agreement = Agreement(examples, preferences.first, preferences.table)
+    best = failures = 0
+    for depth in DEPTHS:
+        candidate = agreement.shortened(grown(examples, bias, preferences.table, refiner, depth, apart), refiner)
+        if found and not judge.reaches(candidate, judge.worth(found[best])):
+            failures += 1
+        elif not found or judge.worth(candidate) > judge.worth(found[best]):
+            best, failures = len(found), 0
+            found.append(candidate)
+        else:
+            failures += 1
+        if judge.worth(found[best]).reaches(wanted) or failures == _FAILURES or time.process_time() > until:
+            break
+    return found

@@ -57,7 +57,9 @@ class Preferences:
         for state, legal, potentials in met:
             own = interpretation_of(state)
             key = own.fingerprint, id(own.static)
-            if key in self._met or (most is not None and len(self.actions) >= most):
+            if most is not None and len(self.actions) >= most:
+                break
+            if key in self._met:
                 continue
             self._met.add(key)
             share = best(potentials).astype(float) if self.policy.greedy else np.exp(potentials - potentials.max())

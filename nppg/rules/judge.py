@@ -137,7 +137,7 @@ class PlayedJudge(Judge):
     """By episodes from the same start states for all lists, the random choices between equally good actions, too. One
     that fails or wanders where others do not is soon found out: it plays first where lists have failed before."""
 
-    def __init__(self, policy: Policy, bias: LanguageBias, domain: Domain, seconds: float):
+    def __init__(self, policy: Policy, bias: LanguageBias, domain: Domain, until: float):
         super().__init__(policy, bias)
         self.domain = domain
         self.trials = _trials(policy if domain is policy.domain else in_domain(policy, domain), domain)
@@ -145,12 +145,12 @@ class PlayedJudge(Judge):
         self._order = list(range(len(self.trials)))
         self._known: dict[tuple[Rule, ...], dict[int, int | None]] = {}
         self._left = _STEPS
-        self._until = time.monotonic() + seconds
+        self._until = until
 
     @property
     def is_spent(self) -> bool:
         """Whether no more lists are to be tried."""
-        return self._left <= 0 or time.monotonic() > self._until
+        return self._left <= 0 or time.process_time() > self._until
 
     def wanted(self) -> Worth:
         return self._valued([trial.steps for trial in self.trials])
