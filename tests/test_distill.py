@@ -13,7 +13,7 @@ import pytest
 from samples import value_of_list, visited
 
 import nppg.rrl.training
-import nppg.rules.distill
+import nppg.rules.growing
 from nppg.answers.coverage import root_table
 from nppg.bias.refinement import KIND, Refiner
 from nppg.bridge import home as prolog_home
@@ -27,6 +27,8 @@ from nppg.logic.forms import Forms
 from nppg.policy.policy import Policy
 from nppg.rrl.options import TGOptions
 from nppg.rules.distill import distill
+from nppg.rules.growing import Preferences, met_everywhere, met_in_episodes
+from nppg.rules.pruning import levelled, pruned
 from nppg.trees.tilde import grow
 from nppg.trees.tree import Rule, from_rules, rules
 from nppg.worlds.domain import Domain
@@ -107,7 +109,7 @@ def test_rules_in_the_policy_are_their_list(
 ) -> None:
     domain = request.getfixturevalue(domain_name)
     bias = request.getfixturevalue("delivery_bias" if domain_name == "delivery" else "relational_bias")
-    monkeypatch.setattr(nppg.rules.distill, "_EPISODES", 20)
+    monkeypatch.setattr(nppg.rules.growing, "_EPISODES", 20)
     distilled = distill(learned(domain, bias, 100), bias)
     ordered = list_of(distilled)
     used = set()
@@ -136,26 +138,35 @@ def test_pruning_never_loses_success(four_blocks: Domain, four: Space, plain_bia
             ordered.append(Rule(query, float(rng.integers(4))))
         ordered.append(Rule((), float(rng.integers(4))))
         before = lists.success(ordered)
-        pruned = nppg.rules.distill._pruned(ordered, refiner, lists.success)
-        after = lists.success(pruned)
-        assert after >= before and all(lists.success(each) < after for each in shorter(pruned, refiner))
-        levelled = nppg.rules.distill._levelled(pruned, lists.success)
-        assert lists.success(levelled) >= after and [r.query for r in levelled] == [r.query for r in pruned]
-        assert {rule.value for rule in levelled} <= {10.0 * i for i in range(len({rule.value for rule in pruned}))}
-        dropped += sum(len(rule.query) + 1 for rule in ordered) - sum(len(rule.query) + 1 for rule in pruned)
+        best = before
+
+        def accepts(candidate: list[Rule]) -> bool:
+            nonlocal best
+            if lists.success(candidate) < best:
+                return False
+            best = lists.success(candidate)
+            return True
+
+        short = pruned(ordered, refiner, accepts)
+        after = lists.success(short)
+        assert after >= before and all(lists.success(each) < after for each in shorter(short, refiner))
+        level = levelled(short, accepts)
+        assert lists.success(level) >= after and [r.query for r in level] == [r.query for r in short]
+        assert {rule.value for rule in level} <= {10.0 * i for i in range(len({rule.value for rule in short}))}
+        dropped += sum(len(rule.query) + 1 for rule in ordered) - sum(len(rule.query) + 1 for rule in short)
         gained += after > before
     assert dropped > 20 and gained
 
 
 @pytest.mark.parametrize("exact", [True, False])
-def test_a_value_function_is_distilled_from_what_it_does(plain_bias, monkeypatch: pytest.MonkeyPatch, exact) -> None:
+def test_a_value_function_is_distilled_from_what_it_does(plain_bias, exact) -> None:
     """Its best actions, whatever it once explored with."""
     domain = Domain("blocks_world", {"blocks": 4})
     *_, last = nppg.rrl.training.train(domain, plain_bias, TGOptions(episodes=400, min_sample=40, significance=0.1))
     policy = last.policy
-    monkeypatch.setattr(Domain, "is_countable", property(lambda _: exact))
-    judge = nppg.rules.distill._Judge(policy, root_table(domain, plain_bias, Refiner(plain_bias)), plain_bias)
-    states, actions, shares = judge.preferences()
+    preferences = Preferences(policy, root_table(domain, plain_bias, Refiner(plain_bias)))
+    preferences.add(met_everywhere(ExactEvaluator(policy)) if exact else met_in_episodes(policy))
+    states, actions, shares = preferences.states, preferences.actions, preferences.shares
     assert set(shares) == {0.0, 1.0}
     met = list(dict.fromkeys(states))
     for state in met:
@@ -182,12 +193,12 @@ def test_trees_are_grown_from_answers_to_all_tests_so_far(
     """Judging a tree can bring new ones."""
     widths = []
 
-    def grown(targets, coverage, *rest):
+    def grown(targets, coverage, *rest, **query):
         widths.append(len(coverage.table))
         assert coverage.bits.shape == (len(targets), len(coverage.table))
-        return grow(targets, coverage, *rest)
+        return grow(targets, coverage, *rest, **query)
 
-    monkeypatch.setattr(nppg.rules.distill, "grow", grown)
+    monkeypatch.setattr(nppg.rules.growing, "grow", grown)
     bias = bias_of(JOINS)
     for seed in range(3):
         distill(learned(four_blocks, bias, 60, seed), bias)
@@ -205,7 +216,7 @@ def test_a_policy_that_is_hardly_sure_distils_too(four_blocks: Domain, four: Spa
 
 
 def test_a_domain_without_exact_space(delivery: Domain, delivery_bias, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(nppg.rules.distill, "_EPISODES", 40)
+    monkeypatch.setattr(nppg.rules.growing, "_EPISODES", 40)
     policy = learned(delivery, delivery_bias, 300)
     with pytest.raises(NppgError):
         evaluate_exactly(policy)

@@ -43,6 +43,9 @@ class Table(ABC):
     def __len__(self) -> int:
         return len(self.tests)
 
+    def __contains__(self, test: Query) -> bool:
+        return opened(test)[0] in self._index
+
     def __reduce__(self) -> tuple:
         """A copy prepares the tests for itself."""
         return _again, (type(self), self.domain, self.bias, self.tests)

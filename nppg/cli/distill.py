@@ -6,10 +6,11 @@ import argparse
 from pathlib import Path
 
 from nppg.cli import loading
-from nppg.cli.arguments import add_explain, add_model, add_problems
+from nppg.cli.arguments import add_explain, add_model, add_parameters, add_problems, warnings_told
 from nppg.judging.evaluation import evaluate, evaluate_exactly, merit
 from nppg.learning.options import at_least
-from nppg.rules.distill import distill
+from nppg.policy.policy import Policy
+from nppg.rules.distill import MAX_RULES, distilled
 from nppg.rules.explain import explained, sentences
 
 
@@ -17,8 +18,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The model, and how few rules."""
     add_model(parser)
     add_explain(parser)
-    add_problems(parser)
-    parser.add_argument("--max-rules", type=int, default=10, metavar="N", help="(default: 10)")
+    judging = parser.add_argument_group("what the rules are judged on (default: what the policy was trained on)")
+    add_parameters(judging)
+    add_problems(judging)
+    parser.add_argument(
+        "--max-rules", type=int, default=MAX_RULES, metavar="N", help=f"at most so many (default: {MAX_RULES})"
+    )
     parser.add_argument("--bias", help="what the rules may test (default: the bias that the model was trained with)")
     parser.add_argument(
         "--output", type=Path, metavar="FILE", help="the rules' model file (default: MODEL's folder, rules.pl)"
@@ -28,12 +33,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Prints and writes the rules with their success. Raises NppgError."""
     at_least("max-rules", options.max_rules, 1)
-    policy = loading.policy(options)
+    with warnings_told():
+        policy = Policy.load(options.model)
+    wanted = loading.policy(options, tell=False).domain if options.set or options.problems else None
     bias = loading.bias_of(policy, options)
-    rules = distill(policy, bias, options.max_rules)
-    exact = policy.domain.is_countable
-    problems = policy.domain.chosen
-    result = evaluate_exactly(rules, greedy=True) if exact else evaluate(rules, seed=1, greedy=True, problems=problems)
+    rules, report = distilled(policy, bias, options.max_rules, wanted)
+    problems = rules.domain.chosen
+    if rules.domain.is_countable:
+        result = evaluate_exactly(rules, greedy=True)
+    else:
+        result = evaluate(rules, seed=1, greedy=True, problems=problems)
     judged, value = merit(rules, result)
     output = options.output or options.model.with_name("rules.pl")
     beside = Path(bias.file).resolve().parent == output.resolve().parent
@@ -43,6 +52,8 @@ def run(options: argparse.Namespace) -> int:
     ]
     rules.save(output, facts, [sentences(rules, 1, bias)] if options.explain else ())
     print(*(explained(rules, 1, bias) if options.explain else rules.rules(1)), sep="\n")
+    if report:
+        print(report)
     over = "all" if result.exact or problems else "sampled"
     starts = "problems" if problems else "start states"
     print(
