@@ -21,12 +21,12 @@ from nppg.answers.table import Table
 from nppg.bias.declarations import TreeLimits
 from nppg.judging.evaluation import ExactEvaluator
 from nppg.judging.space import Space
+from nppg.learning.courses import examples
 from nppg.learning.critic import critic
 from nppg.learning.episode import Episode, Step, generate_episode
 from nppg.learning.gradient import functional_gradient
 from nppg.learning.options import Options
 from nppg.learning.regressors import Examples
-from nppg.learning.courses import examples
 from nppg.learning.training import train
 from nppg.learning.visits import Visit, kept, revisited
 from nppg.logic.query import Query

@@ -19,7 +19,7 @@ def extended(text: str, chosen: Sequence[Derived]) -> str:
     sections = {key.value: value for key, value in root.value}
     types = {each.name: f"[{', '.join(each.types)}]" for each in chosen}
     lines = [line for each in chosen for line in _modes(each)]
-    places = []
+    places: list[tuple[yaml.CollectionNode, list[str], str]] = []
     if "types" in sections:
         places.append((sections["types"], [f"{name}: {own}" for name, own in types.items()], ""))
     places.append((sections["modes"], lines, "- "))
@@ -34,7 +34,7 @@ def _modes(each: Derived) -> list[str]:
     return [known, *opened]
 
 
-def _inserted(text: str, node: yaml.Node, items: Sequence[str], mark: str) -> str:
+def _inserted(text: str, node: yaml.CollectionNode, items: Sequence[str], mark: str) -> str:
     """With items at the end of a mapping or a list, in the style that it is written in."""
     if node.flow_style:
         end = node.end_mark.index - 1

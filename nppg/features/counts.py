@@ -23,7 +23,8 @@ def fewer(words: Words, all_schemas: Iterable[Schema]) -> Iterator[Derived]:
         wanting = [var for var in variables_of(done) if var in schema.types]
         means = [var for var in schema.types if var not in wanting]
         for one, other in product(means, wanting):
-            for less, more in product(_sets(words, schema.literals, one), _sets(words, (*done, *schema.literals), other)):
+            wanted = _sets(words, (*done, *schema.literals), other)
+            for less, more in product(_sets(words, schema.literals, one), wanted):
                 changing = any(_changes(words, name) for _, asked in (less, more) for name, _ in asked)
                 if less[1] == more[1] or (less[1], more[1]) in seen or not changing:
                     continue

@@ -98,11 +98,10 @@ def ways(each: Moves) -> Ways:
     args = tuple(map(typed, types))
     x, y, z, d, d0 = Var("X"), Var("Y"), Var("Z"), Var("D"), Var("D0")
     far, count = f"far_{each.title}", f"steps_{each.title}"
+    longer = Infix("is", d, Infix("+", d0, Term(1)))
     far_clauses = (
         Clause(Term(far, (*args, z, z, Term(0)))),
-        Clause(
-            Term(far, (*args, z, x, d)), (Term(far, (*args, z, y, d0)), step(*args, x, y), Infix("is", d, Infix("+", d0, Term(1))))
-        ),
+        Clause(Term(far, (*args, z, x, d)), (Term(far, (*args, z, y, d0)), step(*args, x, y), longer)),
     )
     open_ = ", ".join("_" for _ in (*args, z, x))
     distance = Derived(far, (), far_clauses, f"{far}({open_}, min)", (step,), tested=False)
@@ -124,7 +123,8 @@ def nearer(way: Ways) -> Derived:
     kind = way.moves.kind
     name = f"nearer_{way.moves.title}"
     body = (way.step(*args, x, y), way.steps(*args, y, z, d), way.steps(*args, x, z, d0), Infix("<", d, d0))
-    return Derived(name, (*way.types, kind, kind, kind), (Clause(Term(name, (*args, x, y, z)), body),), "", (way.steps,))
+    clause = Clause(Term(name, (*args, x, y, z)), body)
+    return Derived(name, (*way.types, kind, kind, kind), (clause,), "", (way.steps,))
 
 
 def targets(words: Words, all_schemas: Iterable[Schema], each: Moves) -> Iterator[tuple[Derived, tuple[int, ...]]]:

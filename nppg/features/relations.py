@@ -31,8 +31,8 @@ def beyond(words: Words) -> Iterator[Derived]:
 
 
 def unsettled(words: Words) -> Iterator[Derived]:
-    """Something is left to do with an object, or with one beyond it: anything of which it is the first argument, or what
-    one predicate says."""
+    """Something is left to do with an object, or with one beyond it: anything of which it is the first argument, or
+    what one predicate says."""
     for relation, type_ in relations(words):
         if relation.startswith(GOAL):
             continue

@@ -51,7 +51,7 @@ class Returns:
         self.learner, self.judge = regressor(domain, bias, options), critic(domain, bias, options)
         table = self.learner.table
         self._late = isinstance(table, TestTable) and len(table) > _LARGE and not options.replay
-        self.table = None if self._late else table
+        self.table: Table | None = None if self._late else table
         self.gathered = 0
         self._memory: deque[Visit] = deque(maxlen=options.replay)
         self._batch: list[Visit] = []
@@ -93,7 +93,7 @@ class SelfImitation:
             raise NppgError(f"self-imitation is not for the domain {domain.name}: {wrong}")
         self.options = options
         self.learner = regressor(domain, bias, options)
-        self.table = None
+        self.table: Table | None = None
         self.gathered = 0
         self._experience = Experience()
         self._rng = np.random.default_rng([options.seed, 1])  # of what is drawn from it
@@ -109,7 +109,7 @@ class SelfImitation:
         met = self._met | dict.fromkeys(self._experience.draw(self.options.replay, self._rng))
         self._met, self.gathered = {}, 0
         found = [ways.comparison(number, self.options.discount) for ways, number in met]
-        comparisons = sorted(filter(None, found), key=lambda each: id(each.state.static))  # type: ignore[union-attr]
+        comparisons = sorted(filter(None, found), key=lambda each: id(each.state.static))
         if len(comparisons) < _FEWEST:
             return None
         made = compared(comparisons, policy, self.learner.table, self.options)
@@ -118,7 +118,9 @@ class SelfImitation:
 
 def course_of(domain: Domain, bias: LanguageBias, options: Options) -> Course:
     """The one that the options ask for. Raises NppgError where it is not for the domain."""
-    return (SelfImitation if options.imitation == "self" else Returns)(domain, bias, options)
+    if options.imitation == "self":
+        return SelfImitation(domain, bias, options)
+    return Returns(domain, bias, options)
 
 
 def updated_actions(step: Step, options: Options) -> slice:

@@ -88,13 +88,13 @@ class Options(Common):
     )
     imitation: str = option(
         "no",
-        "what trees learn from: returns, or (self) the shortest ways to the goal that the policy's own episodes have found",
+        "what trees learn from: returns, or (self) the shortest ways to the goal that the run's own episodes have found",
         choices=("no", "self"),
     )
     floor: float = option(0.0, "share of the policy's actions in training that are drawn uniformly", low=0, high=1)
     replay: int = option(
         0,
-        "earlier steps that each tree learns from again, under the present policy: the last ones that were rewarded; in "
+        "earlier steps that each tree learns from again, under the present policy: the last rewarded ones; in "
         "self-imitation states drawn from all that have been met",
         low=0,
     )
