@@ -12,6 +12,7 @@ from nppg.answers.table import Table, TestTable
 from nppg.bias.language_bias import LanguageBias
 from nppg.errors import NppgError
 from nppg.learning.critic import critic
+from nppg.learning.detours import detour
 from nppg.learning.episode import Episode, Step
 from nppg.learning.experience import Comparison, Experience, Ways, pairs_of
 from nppg.learning.gradient import comparison_gradient, functional_gradient, taken_gradient
@@ -108,6 +109,9 @@ class SelfImitation:
     def tree(self, policy: Policy) -> tuple[Tree, float] | None:
         met = self._met | dict.fromkeys(self._experience.draw(self.options.replay, self._rng))
         self._met, self.gathered = {}, 0
+        for ways, number in met:
+            for _ in range(self.options.detours):
+                detour(ways, number, policy, self._rng)
         found = [ways.comparison(number, self.options.discount) for ways, number in met]
         comparisons = sorted(filter(None, found), key=lambda each: id(each.state.static))
         if len(comparisons) < _FEWEST:

@@ -6,7 +6,7 @@ It is about worlds where an action has one outcome, so that what has been seen o
 from __future__ import annotations
 
 from collections import defaultdict, deque
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +15,7 @@ from nppg.learning.episode import Episode
 from nppg.worlds.state import Interpretation, interpretation_of, static_of
 from nppg.worlds.world import Action, State
 
+DOUBT = 3  # visits of a state by which what is known of the ways from there counts half
 MOST = 200_000  # states that are remembered; beyond, the problems that have not been met for longest are forgotten
 
 
@@ -30,57 +31,88 @@ class Comparison:
 
 
 class Ways:
-    """The states of one problem that have been met, by number, the actions that have been tried there, and the
-    distances to the goal as far as they are known."""
+    """The states of one problem that have been met, by number, their legal actions, which of these have been tried, and
+    the distances to the goal as far as they are known."""
 
     def __init__(self) -> None:
         self.states: list[State] = []
+        self.legal: list[Sequence[Action] | None] = []  # none where nobody has acted yet, or the state ends an episode
         self.tried: list[dict[Action, int]] = []  # in each state, with the state that the action leads to
+        self.visits: list[int] = []  # in how many episodes each has been met
         self._numbers: dict[int, int] = {}
         self._goals: set[int] = set()
-        self._distances: dict[int, int] | None = {}
+        self._ends: set[int] = set()  # other states in which episodes end
+        self._known: tuple[dict[int, int], set[int]] | None = None
 
     def number(self, state: Interpretation) -> int:
         """Of a state, a new one if it has not been met."""
         found = self._numbers.setdefault(state.fingerprint, len(self.states))
         if found == len(self.states):
             self.states.append(state)
+            self.legal.append(None)
             self.tried.append({})
+            self.visits.append(0)
         return found
 
-    def lead(self, state: int, action: Action, following: int) -> None:
-        """Learns where an action leads."""
+    def lead(self, state: int, legal: Sequence[Action], action: Action, following: int) -> None:
+        """Learns where one of the legal actions leads."""
+        self.legal[state] = legal
         if action not in self.tried[state]:
             self.tried[state][action] = following
-            self._distances = None
+            self._known = None
 
-    def reach(self, goal: int) -> None:
-        """Learns that the goal is reached in a state."""
-        if goal not in self._goals:
-            self._goals.add(goal)
-            self._distances = None
+    def end(self, state: int, is_goal: bool) -> None:
+        """Learns that a state ends episodes."""
+        ends = self._goals if is_goal else self._ends
+        if state not in ends:
+            ends.add(state)
+            self._known = None
 
     @property
     def distances(self) -> dict[int, int]:
         """The steps of the shortest known way to the goal, by state; those without one are missing."""
-        if self._distances is None:
+        return self._found()[0]
+
+    @property
+    def dead(self) -> set[int]:
+        """The states from which no way leads to the goal: all of them have been tried."""
+        return self._found()[1]
+
+    def _found(self) -> tuple[dict[int, int], set[int]]:
+        if self._known is None:
             before = defaultdict(list)
             for state, tried in enumerate(self.tried):
                 for following in tried.values():
                     before[following].append(state)
-            self._distances = dict.fromkeys(self._goals, 0)
+            distances = dict.fromkeys(self._goals, 0)
             waiting = deque(self._goals)
             while waiting:
                 state = waiting.popleft()
                 for each in before[state]:
-                    if each not in self._distances:
-                        self._distances[each] = self._distances[state] + 1
+                    if each not in distances:
+                        distances[each] = distances[state] + 1
                         waiting.append(each)
-        return self._distances
+            self._known = distances, self._dead(distances, before)
+        return self._known
+
+    def _dead(self, distances: Mapping[int, int], before: Mapping[int, list[int]]) -> set[int]:
+        """All states but those from which a known way leads to a goal, or to a state where not all has been tried."""
+        alive = set(distances)
+        for state, (legal, tried) in enumerate(zip(self.legal, self.tried, strict=True)):
+            if state not in self._ends and (legal is None or len(tried) < len(legal)):
+                alive.add(state)
+        waiting = deque(alive)
+        while waiting:
+            for each in before.get(waiting.popleft(), ()):
+                if each not in alive:
+                    alive.add(each)
+                    waiting.append(each)
+        return set(range(len(self.states))) - alive
 
     def comparison(self, state: int, discount: float) -> Comparison | None:
         """Of what has been tried in a state, where some of it is known to be better than the rest. An action from which
-        no way is known has return 0, another one discount^distance."""
+        no way is known has return 0, another one discount^distance; how much that counts grows with the episodes that
+        have seen where it leads."""
         tried, distances = self.tried[state], self.distances
         if len(tried) < 2 or state not in distances:
             return None
@@ -90,8 +122,10 @@ class Ways:
         others = [action for action, each in far.items() if each != least]
         if not others:
             return None
-        losses = [1.0 if far[each] is None else 1.0 - discount ** (far[each] - least) for each in others]  # type: ignore[operator]
-        return Comparison(self.states[state], [*best, *others], len(best), np.array(losses))
+        behind = [1.0 if (each := far[action]) is None else 1.0 - discount ** (each - least) for action in others]
+        visits = np.array([np.inf if tried[action] in self.dead else self.visits[tried[action]] for action in others])
+        losses = np.array(behind) / (1 + DOUBT / np.maximum(visits, 1))
+        return Comparison(self.states[state], [*best, *others], len(best), losses)
 
 
 class Experience:
@@ -109,11 +143,14 @@ class Experience:
         self._ways[id(static)], self._static[id(static)] = ways, static
         numbers = [ways.number(interpretation_of(state)) for state in states]
         for step, before, after in zip(episode.steps, numbers, numbers[1:], strict=False):
-            ways.lead(before, step.actions[step.chosen], after)
-        if episode.success:
-            ways.reach(numbers[-1])
+            ways.lead(before, step.actions, step.actions[step.chosen], after)
+        if episode.success or not episode.open:
+            ways.end(numbers[-1], episode.success)
         self._forget(ways)
-        return ways, list(dict.fromkeys(numbers))
+        met = list(dict.fromkeys(numbers))
+        for number in met:
+            ways.visits[number] += 1
+        return ways, met
 
     def draw(self, count: int, rng: np.random.Generator) -> list[tuple[Ways, int]]:
         """States met before: each problem of which some way is known is as likely as the others, then each state."""

@@ -92,6 +92,11 @@ class Options(Common):
         choices=("no", "self"),
     )
     floor: float = option(0.0, "share of the policy's actions in training that are drawn uniformly", low=0, high=1)
+    detours: int = option(
+        1,
+        "in self-imitation, other actions that are tried in each state that a tree learns from, to be compared",
+        low=0,
+    )
     replay: int = option(
         0,
         "earlier steps that each tree learns from again, under the present policy: the last rewarded ones; in "

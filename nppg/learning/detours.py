@@ -1,0 +1,38 @@
+"""Detours: other actions tried in states that episodes have met (exploring starts), to be compared with what is known.
+
+A detour ends where it comes to a state from which a way is known, mostly at once."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nppg.learning.experience import Ways
+from nppg.policy.policy import Policy, choose
+from nppg.worlds.state import interpretation_of
+
+_SPARE = 10  # steps that a detour may take beyond the known way
+
+
+def detour(ways: Ways, number: int, policy: Policy, rng: np.random.Generator) -> None:
+    """Tries an action that has not been tried in a state from which a way is known, and goes on as the policy does, for
+    no longer than there and back."""
+    known = ways.distances
+    legal, tried = ways.legal[number], ways.tried[number]
+    if legal is None or number not in known or len(tried) == len(legal):
+        return
+    untried = [action for action in legal if action not in tried]
+    action, domain = untried[int(rng.random() * len(untried))], policy.domain
+    state = ways.states[number]
+    for _ in range(2 * known[number] + _SPARE):
+        _, state = domain.act(state, action, rng)
+        before, number = number, ways.number(interpretation_of(state))
+        ways.lead(before, legal, action, number)
+        ways.visits[number] += 1
+        if number in known:
+            return
+        status, actions = domain.situation(state)
+        if status != "running":
+            ways.end(number, status == "goal")
+            return
+        legal = list(actions)
+        action = legal[choose(policy.scores(state, legal).probabilities, rng)]
