@@ -47,7 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Prints the verdict and what fails. Raises NppgError."""
     policy = loading.policy(options, tell=False)  # what would be told is refused
-    if options.problems:
+    if policy.domain.chosen:
         _on_problems(options, policy)
     elif options.from_everywhere:
         raise NppgError("--from-everywhere is for problems: name them by --problems")

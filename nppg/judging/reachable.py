@@ -29,11 +29,14 @@ class Reachable:
     through: `owner` is the state of each, `actions` its action. An outcome leads from the pair `origin` to the state
     `target` with probability `weight`. `parents` has for each state but the first an outcome that first led there.
 
-    All legal actions lead on, or those that `choice` gives. Raises TooMany where there are more than `limit` states,
-    and NppgError where the domain defines observation/1 or is an environment of Gymnasium.
+    All legal actions lead on, or those that `choice` gives, which is asked about each running state while that is
+    current; if it needs no legal actions for that, it may be `lean`. Raises TooMany where there are more than `limit`
+    states, and NppgError where the domain defines observation/1 or is an environment of Gymnasium.
     """
 
-    def __init__(self, domain: Domain, start: State, limit: int = LIMIT, choice: Choice | None = None):
+    def __init__(
+        self, domain: Domain, start: State, limit: int = LIMIT, choice: Choice | None = None, lean: bool = False
+    ):
         if domain.has_observation or domain.environment:
             what = "policies see what observation/1 draws" if domain.has_observation else "it is one of Gymnasium"
             raise NppgError(f"{domain.path}: its states cannot be gone through, for {what}; evaluate on samples")
@@ -48,7 +51,7 @@ class Reachable:
         target: list[int] = []
         weight: list[float] = []
         for here, state in enumerate(self.states):
-            status, legal = domain.situation(state, choice is not None)
+            status, legal = domain.situation(state, lean)
             self.status.append(status)
             if status != "running":
                 continue

@@ -26,10 +26,10 @@ from nppg.worlds.world import Action, State
 
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """A run that misses the goal: the steps `way` from the start to the state that it begins in, what holds there (but
-    static facts), its own steps as lines of a plan, with what happens where that is left to chance, and how many of the last of them go
-    round in a loop: 0 where it ends in a state without a way on. After `lost` of them, where that is known, the goal is
-    out of reach, whatever is done."""
+    """A run that misses the goal: the steps `way` from the start to the state that it begins in, what holds there but
+    static facts, its own steps as lines of a plan, with what happens where that is left to chance, and how many of the
+    last of them go round in a loop: 0 where it ends in a state without a way on. After `lost` of them, where that is
+    known, the goal is out of reach, whatever is done."""
 
     way: tuple[str, ...]
     state: str
@@ -90,9 +90,10 @@ def prove_problems(
     limit: int = LIMIT,
     report: Callable[[ProblemProof], None] = lambda proof: None,
 ) -> ProblemsProof:
-    """Proves the policy on these problems of its domain, by default those that start states are drawn from; each is told
-    to `report` once it is proven. Raises NppgError where a problem has more than `limit` states, where the domain has no
-    goal or is not the one that the model was made with, and as nppg.judging.reachable.Reachable does."""
+    """Goes through the states of these problems of the policy's domain, by default those that start states are drawn
+    from; what is found of each is told to `report` at once. Raises NppgError where a problem has more than `limit`
+    states, where the domain has no goal or is not the one that the model was made with, and as
+    nppg.judging.reachable.Reachable does."""
     domain = policy.domain
     if wrong := another_domain(model, domain, policy.facts):
         raise NppgError(wrong)
@@ -102,11 +103,12 @@ def prove_problems(
     proven = []
     for number in domain.chosen if problems is None else problems:
         try:
-            proven.append(prove_problem(policy, domain.problem(number), domain.problems[number], greedy, everywhere, limit))
+            proof = prove_problem(policy, domain.problem(number), domain.problems[number], greedy, everywhere, limit)
         except TooMany as error:
-            how = "" if everywhere or not greedy else " by the policy"
+            how = " by the policy" if greedy and not everywhere else ""
             raise NppgError(f"{domain.problems[number]}: {error}{how}: allow more by --states") from None
-        report(proven[-1])
+        proven.append(proof)
+        report(proof)
     return ProblemsProof(
         version("nppg"), file_hash(model), domain.hash, domain.parameters, greedy, everywhere, tuple(proven)
     )
@@ -115,11 +117,11 @@ def prove_problems(
 def prove_problem(
     policy: Policy, start: State, name: str = "", greedy: bool = True, everywhere: bool = False, limit: int = LIMIT
 ) -> ProblemProof:
-    """Proves the policy on the problem of this start state. Raises NppgError."""
+    """What there is to say of the policy on the problem of this start state. Raises NppgError."""
     domain = policy.domain
-    own = greedy and not everywhere
-    graph = Reachable(domain, start, limit, (lambda state, legal: _preferred(policy, state, legal)) if own else None)
-    taken, probabilities = _choices(policy, graph, greedy, own)
+    choice = _Choice(policy, greedy, everywhere)
+    graph = Reachable(domain, start, limit, choice, choice.lean)
+    taken, probabilities = np.array(choice.taken, bool), np.array(choice.probabilities)
     runs = graph.longest(taken)
     distances = graph.distances() if everywhere else None
     alive = np.flatnonzero(graph.running & (distances > 0)) if distances is not None else np.array([], int)
@@ -143,30 +145,39 @@ def prove_problem(
     )
 
 
-def _preferred(policy: Policy, state: State, legal: Sequence[Action]) -> list[Action]:
-    """All that the greedy policy may do."""
-    if policy.is_rules:
-        return policy.preferred(state)
-    actions = list(legal)
-    return [actions[i] for i in np.flatnonzero(best(policy.potentials(state, actions)))]
+class _Choice:
+    """What a policy does in the states of a graph that is being explored: `taken`, which pairs it may take, and
+    `probabilities`, ties being drawn evenly. Where all states are wanted, all legal actions lead on; else the greedy
+    policy's own, and a list of rules finds them without looking at the others. The stochastic policy can take every
+    legal action, however small its probability."""
 
+    def __init__(self, policy: Policy, greedy: bool, everywhere: bool):
+        self.policy = policy
+        self.greedy = greedy
+        self.own = greedy and not everywhere
+        self.lean = self.own and policy.is_rules
+        self.taken: list[bool] = []
+        self.probabilities: list[float] = []
 
-def _choices(policy: Policy, graph: Reachable, greedy: bool, own: bool) -> tuple[np.ndarray, np.ndarray]:
-    """Which pairs of the graph the policy can take, and with which probabilities; all where it is its `own` graph. The
-    stochastic policy can take every legal action, however small its probability."""
-    taken, probabilities = np.ones(len(graph.owner), bool), np.ones(len(graph.owner))
-    first = np.flatnonzero(np.diff(graph.owner, prepend=-1))
-    for begin, end in zip(first, [*first[1:], len(graph.owner)], strict=True):
-        if not own:
-            state = graph.states[graph.owner[begin]]
-            potentials = policy.potentials(state, graph.actions[begin:end])
-            if greedy:
-                taken[begin:end] = best(potentials)
-            else:
-                probabilities[begin:end] = policy.probabilities_of(potentials)
-        if greedy:
-            probabilities[begin:end] = taken[begin:end] / taken[begin:end].sum()
-    return taken, probabilities
+    def __call__(self, state: State, legal: Sequence[Action]) -> Sequence[Action]:
+        if self.lean:
+            actions: Sequence[Action] = self.policy.preferred(state)
+            return self._noted(actions, np.ones(len(actions), bool))
+        actions = list(legal)
+        potentials = self.policy.potentials(state, actions)
+        if not self.greedy:
+            return self._noted(actions, np.ones(len(actions), bool), self.policy.probabilities_of(potentials))
+        taken = best(potentials)
+        if self.own:
+            actions, taken = [actions[i] for i in np.flatnonzero(taken)], taken[taken]
+        return self._noted(actions, taken)
+
+    def _noted(
+        self, actions: Sequence[Action], taken: np.ndarray, probabilities: np.ndarray | None = None
+    ) -> Sequence[Action]:
+        self.taken += taken.tolist()
+        self.probabilities += (taken / taken.sum() if probabilities is None else probabilities).tolist()
+        return actions
 
 
 def _trace(

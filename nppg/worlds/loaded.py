@@ -124,10 +124,10 @@ class Loaded:
     def neighbours(self, before: Interpretation) -> list[tuple[Ground, list[Outcome]]]:
         """The same for every legal action, where the states' facts are wanted: they are made at once."""
         facts, found = ask("neighbours", self.module)
-        own = ground(facts)
+        own, static = ground(facts), before.static
 
         def successor(facts: list) -> Interpretation:
-            return Interpretation((own[fact] if isinstance(fact, int) else ground(fact) for fact in facts), before.static)
+            return Interpretation((own[fact] if isinstance(fact, int) else ground(fact) for fact in facts), static)
 
         actions = compounds([action for action, _ in found])
         return [
