@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from nppg.bias.language_bias import LanguageBias
+from nppg.experiments.experts import expert_of
 from nppg.experiments.learners import options_of
 from nppg.learning import training
 from nppg.learning.options import Common, Options
@@ -26,6 +27,7 @@ def train(domain: Domain, bias: LanguageBias, options: Common | None = None, job
     play the episodes of an iteration, if it has many.
     Yields as it learns, the first time before it has learned anything. Raises NppgError."""
     options = options_of(bias) if options is None else options
+    expert = expert_of(domain, options)
     if isinstance(options, Options):
-        return training.train(domain, bias, options, jobs)
-    return _GENERATORS[options.learner](domain, bias, options)
+        return training.train(domain, bias, options, jobs, expert)
+    return _GENERATORS[options.learner](domain, bias, options, expert)

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from nppg.errors import NppgError, Problem
-from nppg.learning.episode import IDLE, Episode, generate_episode
+from nppg.learning.episode import IDLE, Episode, Expert, generate_episode
 from nppg.learning.options import Common, Options
 from nppg.policy.beside import Gone, Others
 from nppg.policy.policy import Policy
@@ -26,28 +26,35 @@ class Rollouts:
     """Plays episodes of a training run by their numbers, each with a generator of its own, so that it does not matter
     who plays it."""
 
-    def __init__(self, policy: Policy, options: Options):
+    def __init__(self, policy: Policy, options: Options, expert: Expert | None = None):
         self.policy = policy
         self.options = options
+        self.expert = expert
 
     def __call__(self, numbers: Sequence[int]) -> list[Episode]:
-        seed = self.options.seed
-        return [_played(self.policy, np.random.default_rng([seed, each]), self.options) for each in numbers]
+        options = self.options
+        return [
+            _played(self.policy, np.random.default_rng([options.seed, each]), options, self.expert) for each in numbers
+        ]
 
 
-def _played(policy: Policy, rng: np.random.Generator, options: Common) -> Episode:
-    return generate_episode(policy, rng, options.guidance, options.horizon_factor, learning=True)
+def _played(policy: Policy, rng: np.random.Generator, options: Common, expert: Expert | None) -> Episode:
+    return generate_episode(policy, rng, options.guidance, options.horizon_factor, learning=True, expert=expert)
 
 
-def training_episodes(policy: Policy, rng: np.random.Generator, options: Common) -> Iterator[Episode]:
-    """The episodes of a training run, each by the policy as it is by then. Raises NppgError where no episode takes a
-    step any more."""
-    return _busy(policy, (_played(policy, rng, options) for _ in range(options.episodes)))
+def training_episodes(
+    policy: Policy, rng: np.random.Generator, options: Common, expert: Expert | None = None
+) -> Iterator[Episode]:
+    """The episodes of a training run, each by the policy as it is by then, or guided by the expert, by default the
+    domain's own. Raises NppgError where no episode takes a step any more."""
+    return _busy(policy, (_played(policy, rng, options, expert) for _ in range(options.episodes)))
 
 
-def iterations_episodes(policy: Policy, options: Options, jobs: int) -> Iterator[Episode]:
+def iterations_episodes(
+    policy: Policy, options: Options, jobs: int, expert: Expert | None = None
+) -> Iterator[Episode]:
     """The same where many episodes are played between two trees, in up to `jobs` processes, which changes nothing."""
-    return _busy(policy, _by_iterations(Rollouts(policy, options), jobs))
+    return _busy(policy, _by_iterations(Rollouts(policy, options, expert), jobs))
 
 
 def _busy(policy: Policy, episodes: Iterator[Episode]) -> Iterator[Episode]:

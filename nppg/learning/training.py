@@ -11,7 +11,7 @@ import numpy as np
 from nppg.answers.table import Table, TestTable
 from nppg.bias.language_bias import LanguageBias
 from nppg.learning.critic import critic
-from nppg.learning.episode import Episode, Step
+from nppg.learning.episode import Episode, Expert, Step
 from nppg.learning.gradient import functional_gradient, taken_gradient
 from nppg.learning.line_search import step_size
 from nppg.learning.options import Options
@@ -41,6 +41,18 @@ def updated_actions(step: Step, options: Options) -> slice:
     return slice(None) if options.update == "all" else slice(step.chosen, step.chosen + 1)
 
 
+def importance_of(step: Step, options: Options) -> float:
+    """The power k of pi(s, a) that weights a step. Second-order steps learn from what an expert chose with k = 0,
+    whatever the option is: the weight pi(s, a)^k is about how often the policy itself would act so, and an expert is to
+    teach what it would not do. With it the gradient vanishes just where the policy is certain of another action.
+    Without it a step climbs value * log pi(s, a), the likelihood of what the expert did: its gradient at the action,
+    value (1 - pi(s, a)), is largest there, and its curvature |value| pi(s, b) (1 - pi(s, b)) is the one that `examples`
+    has, so that a leaf is a Newton step, bounded by lambda and the clip. The paper's steps weight expert and policy
+    alike."""
+    assert options.importance is not None
+    return 0.0 if step.guided and options.step == "second-order" else options.importance
+
+
 def examples(batch: Sequence[Visit], options: Options, trees: int = 0, table: Table | None = None) -> Examples:
     """The functional gradient at each updated action b (Proposition 3.1); for a second-order step also the curvature
     |value| pi(s, b) (1 - pi(s, b)), and lambda as it is after so many trees. The answers are those of the steps; where
@@ -48,10 +60,9 @@ def examples(batch: Sequence[Visit], options: Options, trees: int = 0, table: Ta
     states: list[State] = []
     actions: list[Action] = []
     answers, gradients, curvatures = [], [], []
-    importance = options.importance
-    assert importance is not None
     for step, value, _ in batch:
         updated, probabilities = updated_actions(step, options), step.probabilities
+        importance = importance_of(step, options)
         if options.update == "all":
             gradients.append(functional_gradient(probabilities, step.chosen, value, importance))
         else:
@@ -81,9 +92,16 @@ def wanted(trees: int, options: Options) -> float:
     return options.min_examples + options.min_examples * options.examples_growth * trees
 
 
-def train(domain: Domain, bias: LanguageBias, options: Options | None = None, jobs: int = 1) -> Iterator[Iteration]:
+def train(
+    domain: Domain,
+    bias: LanguageBias,
+    options: Options | None = None,
+    jobs: int = 1,
+    expert: Expert | None = None,
+) -> Iterator[Iteration]:
     """Yields after each tree, the first time before the first one. Where there are MANY episodes to an iteration, up to
-    `jobs` processes play them, and nothing changes with their number. Raises NppgError.
+    `jobs` processes play them, and nothing changes with their number. `expert` guides episodes in place of the domain's
+    own, and is pickled for these processes. Raises NppgError.
 
     A policy asks what its trees test. It shares the learner's table, so that its steps have the answers that trees are
     grown from, unless that is large."""
@@ -97,9 +115,9 @@ def train(domain: Domain, bias: LanguageBias, options: Options | None = None, jo
     gathered = 0
     yield Iteration(policy, 0, ())
     if are_many(options):
-        episodes = iterations_episodes(policy, options, jobs)
+        episodes = iterations_episodes(policy, options, jobs, expert)
     else:
-        episodes = training_episodes(policy, np.random.default_rng(options.seed), options)
+        episodes = training_episodes(policy, np.random.default_rng(options.seed), options, expert)
     for count, episode in enumerate(episodes, 1):
         recent.append(episode)
         new = judge.visits(episode)
