@@ -19,6 +19,7 @@
 :- use_module(randomness, [without_draws/1]).
 :- use_module(report, [problems/2]).
 :- use_module(rule_list).
+:- use_module(schemas).
 :- use_module(state_text).
 :- use_module(states).
 :- use_module(table).

@@ -9,7 +9,7 @@
 
 A predicate of a domain depends on the fluents that its clauses call, and that those do which they call. Where that
 cannot be told from the program, it may be every fluent: a goal that is made while it runs, a predicate that looks at
-more than its arguments, a table.
+more than its arguments.
 */
 
 %!  static_predicate(+Module, +Indicator) is semidet.
@@ -49,7 +49,6 @@ reach(Goal, Module, Reached0, Reached) :-
         reach_arguments(Goal, Module, Reached0, Reached)
     ;   predicate_property(Module:Goal, defined),
         \+ predicate_property(Module:Goal, dynamic),
-        \+ predicate_property(Module:Goal, tabled),
         functor(Head, Name, Arity),
         findall(Body, clause(Module:Head, Body), Bodies),
         reach_all(Bodies, Module, [Name/Arity|Reached0], Reached)

@@ -12,7 +12,7 @@
             in_force/2,          % +Module, -Number      det
             drop_static/2,       % +Module, +Number      det
             tampered/1,          % +Module               semidet
-            forget_tables/1,     % +Module               det
+            forget_tables/2,     % +Module, +Heads       det
             forget/1             % +Module               det
           ]).
 
@@ -34,7 +34,7 @@ of its states: they are exchanged when a state of another problem becomes curren
     static_facts/3,              % Module, Number, Facts
     numbers/2,                   % Module, Number: the last one that was given
     enforced/3,                  % Module, Number, how many facts: none where it is 0
-    tabling/1.                   % Module: its tables hold for one interpretation only
+    tabling/2.                   % Module, Heads: tables of these hold for one interpretation only, others for one problem
 
 %   Of larger states the list of facts is made only where it is asked for.
 
@@ -88,7 +88,18 @@ interpret(Module, Facts) :-
     drop_answers(Module).
 
 drop_answers(Module) :-
-    (   tabling(Module)
+    (   tabling(Module, Heads)
+    ->  drop_answers(Heads, Module)
+    ;   true
+    ).
+
+drop_answers([], _).
+drop_answers([Head|Heads], Module) :-
+    abolish_table_subgoals(Module:Head),
+    drop_answers(Heads, Module).
+
+drop_all_answers(Module) :-
+    (   tabling(Module, _)
     ->  abolish_module_tables(Module)
     ;   true
     ).
@@ -219,7 +230,7 @@ enforce(Module, Number) :-
         ;   length(Facts, Count),
             assertz(enforced(Module, Number, Count))
         ),
-        drop_answers(Module)
+        drop_all_answers(Module)
     ).
 
 %!  tampered(+Module) is semidet.
@@ -235,15 +246,16 @@ tampered(Module) :-
         Stored \== Facts
     ).
 
-%!  forget_tables(+Module) is det.
+%!  forget_tables(+Module, +Heads) is det.
 %
-%   From now on drops the answers of the module's tabled predicates when another state becomes current.
+%   From now on drops the answers of the module's tabled predicates when another problem's facts come into force, and
+%   those of the predicates with these heads when another state becomes current.
 
-forget_tables(Module) :-
-    assertz(tabling(Module)).
+forget_tables(Module, Heads) :-
+    assertz(tabling(Module, Heads)).
 
 forget(Module) :-
-    retractall(tabling(Module)),
+    retractall(tabling(Module, _)),
     retractall(enforced(Module, _, _)),
     retractall(numbers(Module, _)),
     retractall(static_facts(Module, _, _)),

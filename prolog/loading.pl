@@ -9,7 +9,8 @@
 :- use_module(declarations).
 :- use_module(formula, []).
 :- use_module(guard, [stop_for/1]).
-:- use_module(interpretation, [forget/1, forget_tables/1]).
+:- use_module(call_graph, [static_predicate/2]).
+:- use_module(interpretation, [forget/1, forget_tables/2]).
 :- use_module(randomness, []).
 :- use_module(report, [explanation/2]).
 
@@ -61,13 +62,30 @@ load_domain(File, Parameters, Module, Description) :-
     ),
     forall(( contract(Indicator), defined(Module, Indicator) ),
            assertz(defines(Module, Indicator))),
-    (   current_predicate(Module:TabledName/TabledArity),
-        functor(Tabled, TabledName, TabledArity),
-        predicate_property(Module:Tabled, tabled)
-    ->  forget_tables(Module)
+    (   tabled(Module, _)
+    ->  findall(Kept, ( tabled(Module, Head), \+ static_head(Module, Head), table_of(Module, Head, Kept) ), Heads),
+        forget_tables(Module, Heads)
     ;   true
     ),
     findall([Key, Value], description(Module, Name, Key, Value), Description).
+
+tabled(Module, Head) :-
+    current_predicate(Module:Name/Arity),
+    functor(Head, Name, Arity),
+    predicate_property(Module:Head, tabled).
+
+%   Under which its answers are kept: without the arguments that are aggregated (`:- table path(_, _, min)`).
+
+table_of(Module, Head, Kept) :-
+    (   current_predicate(Module:'$table_mode'/3),
+        Module:'$table_mode'(Head, Variant, _)
+    ->  Kept = Variant
+    ;   Kept = Head
+    ).
+
+static_head(Module, Head) :-
+    functor(Head, Name, Arity),
+    static_predicate(Module, Name/Arity).
 
 module_name(File, Name) :-
     catch(setup_call_cleanup(

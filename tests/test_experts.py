@@ -17,11 +17,11 @@ from nppg.experiments.experts import expert_of
 from nppg.experiments.train import train
 from nppg.judging.expert import OptimalExpert
 from nppg.judging.reachable import Reachable
+from nppg.learning.courses import examples, importance_of
 from nppg.learning.episode import generate_episode
 from nppg.learning.gradient import returns
 from nppg.learning.options import Options
 from nppg.learning.regressors import regressor
-from nppg.learning.training import examples, importance_of
 from nppg.learning.visits import Visit
 from nppg.logic.query import Literal, Query, Var
 from nppg.policy.policy import Policy

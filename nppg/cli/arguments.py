@@ -63,6 +63,27 @@ def add_acting(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_search(parser: argparse.ArgumentParser) -> None:
+    """Whether plans are searched for, and how long."""
+    parser.add_argument(
+        "--search",
+        choices=("levin",),
+        help="search for a plan where the policy alone may miss one: Levin tree search by its probabilities, in worlds "
+        "where an action has one outcome",
+    )
+    parser.add_argument("--budget", type=int, metavar="N", help="expansions of a search (default: 10000)")
+
+
+def checked_search(options: argparse.Namespace) -> bool:
+    """Whether plans are searched for. Raises NppgError for options that do not go together."""
+    if options.search is None and options.budget is not None:
+        raise NppgError("--budget is for a search: --search levin")
+    for name in ("stochastic", "no_revisits", "horizon_factor") if options.search else ():
+        if getattr(options, name) not in (False, None):
+            raise NppgError(f"--{name.replace('_', '-')} is about acting, not for --search")
+    return options.search is not None
+
+
 def add_parameters(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
     """Of the domain, by --set."""
     parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a parameter of the domain")

@@ -6,12 +6,14 @@ import argparse
 import csv
 import json
 import sys
+from collections.abc import Sequence
 from dataclasses import asdict
 
 from nppg.cli import loading
-from nppg.cli.arguments import add_acting, add_model, add_parameters, add_problems
+from nppg.cli.arguments import add_acting, add_model, add_parameters, add_problems, add_search, checked_search
 from nppg.errors import NppgError
 from nppg.judging.evaluation import evaluate, evaluate_exactly, merit
+from nppg.judging.levin import BUDGET, searched
 from nppg.judging.problems import Attempt, attempts
 from nppg.policy.policy import Policy
 
@@ -32,6 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     chooses.add_argument("--stochastic", action="store_true", help="draw actions by their probabilities")
     add_acting(parser)
+    add_search(parser)
     parser.add_argument("--seed", type=int, default=0, help="of the sampled starts, and of what is drawn (default: 0)")
     form = parser.add_mutually_exclusive_group()
     form.add_argument("--json", action="store_true", help="print one JSON object")
@@ -40,12 +43,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Prints the success, or the return where there is no goal; of problems each one's end. Raises NppgError."""
+    searches = checked_search(options)
     policy = loading.policy(options)
     if options.problems:
-        _on_problems(options, policy)
+        _on_problems(options, policy, searches)
         return 0
-    if options.csv or options.no_revisits:
-        raise NppgError(f"--{'csv' if options.csv else 'no-revisits'} is for problems: name them by --problems")
+    if options.csv or options.no_revisits or searches:
+        name = "csv" if options.csv else "search" if searches else "no-revisits"
+        raise NppgError(f"--{name} is for problems: name them by --problems")
     factor = loading.factor(options, policy)
     if options.exact:
         result = evaluate_exactly(policy, options.greedy, factor)
@@ -62,34 +67,39 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _on_problems(options: argparse.Namespace, policy: Policy) -> None:
+def _on_problems(options: argparse.Namespace, policy: Policy, searches: bool) -> None:
     if options.exact:
         raise NppgError("--exact is about all start states, not about problems")
-    found = attempts(
-        policy,
-        seed=options.seed,
-        greedy=not options.stochastic,
-        horizon_factor=loading.factor(options, policy),
-        revisits=not options.no_revisits,
-    )
+    if searches:
+        found = searched(policy, BUDGET if options.budget is None else options.budget, seed=options.seed)
+    else:
+        found = attempts(
+            policy,
+            seed=options.seed,
+            greedy=not options.stochastic,
+            horizon_factor=loading.factor(options, policy),
+            revisits=not options.no_revisits,
+        )
+    columns = (*_COLUMNS, "expansions") if searches else _COLUMNS
     if options.csv:
         table = csv.writer(sys.stdout, lineterminator="\n")
-        table.writerow(_COLUMNS)
+        table.writerow(columns)
         for each in found:
-            table.writerow(_row(each).values())
+            table.writerow(_row(each, columns).values())
         return
     width = max(map(len, policy.domain.problems.values()), default=0)
     done = []
     for each in found:
         done.append(each)
         if not options.json:
-            print(f"{each.name:{width}}  {each.ended:8}  {each.steps:5} steps  {each.seconds:8.3f} s", flush=True)
+            more = f"  {each.expansions:7} expansions" if searches else ""
+            print(f"{each.name:{width}}  {each.ended:8}  {each.steps:5} steps  {each.seconds:8.3f} s{more}", flush=True)
     solved = sum(each.solved for each in done)
     if options.json:
-        print(json.dumps({"solved": solved, "problems": len(done), "list": list(map(_row, done))}))
+        print(json.dumps({"solved": solved, "problems": len(done), "list": [_row(each, columns) for each in done]}))
     else:
         print(f"solved {solved} of {len(done)}")
 
 
-def _row(each: Attempt) -> dict[str, object]:
-    return {name: getattr(each, name) for name in _COLUMNS}
+def _row(each: Attempt, columns: Sequence[str]) -> dict[str, object]:
+    return {name: getattr(each, name) for name in columns}

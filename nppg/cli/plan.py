@@ -8,9 +8,10 @@ from pathlib import Path
 
 from nppg.bridge.files import replacing
 from nppg.cli import loading
-from nppg.cli.arguments import add_acting, add_model, add_parameters
+from nppg.cli.arguments import add_acting, add_model, add_parameters, add_search, checked_search
 from nppg.errors import NppgError
-from nppg.judging.problems import attempt
+from nppg.judging.levin import BUDGET, search
+from nppg.judging.problems import LIMIT, Attempt, attempt
 
 _STOPPED = {
     "dead end": "it came to a state without a way on",
@@ -26,6 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_parameters(parser)
     parser.add_argument("--stochastic", action="store_true", help="draw actions by their probabilities")
     add_acting(parser)
+    add_search(parser)
     parser.add_argument("--seed", type=int, default=0, help="of what is drawn, ties among them (default: 0)")
     parser.add_argument("--output", type=Path, metavar="FILE", help="write the plan there")
 
@@ -33,22 +35,20 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Prints the plan in the format of the planning competition; the status is 1 where none is found, and it is told
     what stopped the policy. Raises NppgError."""
+    searches = checked_search(options)
     options.problems = [options.problem]
     policy = loading.policy(options)
     domain = policy.domain
     if len(domain.chosen) != 1:
         raise NppgError(f"{options.problem} has {len(domain.chosen)} problems; a plan is for one")
     (number,) = domain.chosen
-    found = attempt(
-        policy,
-        number,
-        options.seed,
-        not options.stochastic,
-        loading.factor(options, policy),
-        not options.no_revisits,
-    )
+    if searches:
+        found = search(policy, number, BUDGET if options.budget is None else options.budget, seed=options.seed)
+    else:
+        factor = loading.factor(options, policy)
+        found = attempt(policy, number, options.seed, not options.stochastic, factor, not options.no_revisits)
     if not found.solved:
-        print(f"no plan: {_STOPPED[found.ended]}, after {found.steps} steps", file=sys.stderr)
+        print(f"no plan: {_stopped(found)}", file=sys.stderr)
         return 1
     kind = "general cost" if domain.has_costs else "unit cost"
     lines = [*map(domain.plan_step, found.plan), f"; cost = {found.cost} ({kind})"]
@@ -60,3 +60,11 @@ def run(options: argparse.Namespace) -> int:
     else:
         print(text, end="")
     return 0
+
+
+def _stopped(found: Attempt) -> str:
+    """Why there is no plan."""
+    if found.expansions is None:
+        return f"{_STOPPED[found.ended]}, after {found.steps} steps"
+    end = "none was found in" if found.ended == LIMIT else "there is none: nothing is left after"
+    return f"{end} {found.expansions:,} expansions"

@@ -26,14 +26,15 @@ def reporter(options: Common) -> Callable[[Progress], None]:
         point = progress.point
         if bar is not None:
             bar.update(progress.episodes - bar.n)
-            bar.set_postfix(progress.policy.sizes(), lately=f"{progress.recent:.2f}")
+            stage = {"problems": progress.stage} if progress.stage else {}
+            bar.set_postfix(progress.policy.sizes(), lately=f"{progress.recent:.2f}", **stage)
             if progress.ended:
                 bar.close()
         elif point is not None:
             stochastic, greedy = progress.judged(point)
             print(
                 f"episode {point.episode:5d}  {sizes(progress.policy, point)}  {progress.measure} {stochastic:.4f} "
-                f"(greedy {greedy:.4f})  {_returns(progress, point)}{point.seconds:.1f} s",
+                f"(greedy {greedy:.4f})  {_returns(progress, point)}{_stage(progress)}{point.seconds:.1f} s",
                 flush=True,
             )
 
@@ -45,3 +46,7 @@ def _returns(progress: Progress, point: Point) -> str:
     if progress.measure == "return" or point.mean_return is None or math.isclose(point.mean_return, point.success):
         return ""
     return f"return {point.mean_return:.2f} (greedy {point.greedy_return:.2f})  "
+
+
+def _stage(progress: Progress) -> str:
+    return f"problems {progress.stage}  " if progress.stage else ""

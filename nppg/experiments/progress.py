@@ -53,6 +53,7 @@ class Progress:
     options: Common
     judging: Judging
     episodes: int = 0
+    stage: str = ""  # how far the curriculum is: 12/99, of the problems
     seconds: float = 0.0
     outcomes: list[float] = field(default_factory=list)  # of each episode: see `measure`
     curve: list[Point] = field(default_factory=list)

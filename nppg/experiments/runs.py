@@ -128,7 +128,7 @@ def _reached(point: Point | None, success: float | None, mean_return: float | No
 
 def _advance(progress: Progress, iteration: Iteration, seconds: float) -> None:
     progress.seconds += seconds
-    progress.episodes = iteration.episodes
+    progress.episodes, progress.stage = iteration.episodes, iteration.stage
     if progress.measure == "success":
         progress.outcomes += [episode.success for episode in iteration.recent]
     else:

@@ -12,6 +12,7 @@ import numpy as np
 from nppg.learning.episode import Episode, generate_episode
 from nppg.learning.options import at_least
 from nppg.policy.policy import Policy
+from nppg.worlds.domain import Domain
 from nppg.worlds.state import interpretation_of
 from nppg.worlds.world import Action
 
@@ -26,7 +27,7 @@ _AGAIN = 3  # an episode that ends at its limit was in a loop if it has been in 
 class Attempt:
     """One episode on a problem: `ended` is solved, or what stopped it: a dead end (or another terminal state), a loop,
     or the limit of steps. `cost` is that of its actions by the domain's cost/2, else their number; `seconds` are those
-    of acting. `plan`: its actions."""
+    of acting. `plan`: its actions. `expansions`: those of a search."""
 
     problem: int
     name: str
@@ -35,6 +36,7 @@ class Attempt:
     cost: float
     seconds: float
     plan: tuple[Action, ...]
+    expansions: int | None = None
 
     @property
     def solved(self) -> bool:
@@ -78,9 +80,13 @@ def attempts(
 ) -> Iterator[Attempt]:
     """One after the other, on these problems; by default on those that the domain's start states are drawn from, or
     all of them."""
-    domain = policy.domain
-    for problem in (domain.chosen or domain.problems) if problems is None else problems:
+    for problem in to_attempt(policy.domain, problems):
         yield attempt(policy, problem, seed, greedy, horizon_factor, revisits)
+
+
+def to_attempt(domain: Domain, problems: Iterable[int] | None) -> Iterable[int]:
+    """These problems; by default those that the domain's start states are drawn from, or all of them."""
+    return (domain.chosen or domain.problems) if problems is None else problems
 
 
 def _ended(episode: Episode) -> str:

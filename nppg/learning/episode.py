@@ -99,6 +99,7 @@ def generate_episode(
     revisits: bool = True,
     scored: bool = True,
     expert: Expert | None = None,
+    floor: float = 0.0,
 ) -> Episode:
     """Draws a start state, unless it is given one, and acts until the episode ends: in a goal or terminal state, or cut
     off, by its environment or after horizon_factor times the domain's horizon. Without `revisits` no action is taken
@@ -106,8 +107,8 @@ def generate_episode(
     need be `scored`, a greedy list of rules is asked for a best one alone.
 
     With probability `guidance` the whole episode is a trace of the `expert`, by default the domain's own; where it has
-    no advice, the policy acts: greedily, if it is to or does so wherever it does not learn. Raises NppgError where the
-    domain's code is at fault.
+    no advice, the policy acts: greedily, if it is to or does so wherever it does not learn; of its other actions the
+    share `floor` is drawn uniformly. Raises NppgError where the domain's code is at fault.
     """
     domain = policy.domain
     greedy = greedy or (policy.greedy and not learning)
@@ -134,7 +135,7 @@ def generate_episode(
         if advice:
             chosen = actions.index(advice[int(rng.random() * len(advice))])
         elif not lean:
-            chosen = choose_best(potentials, rng) if greedy else choose(probabilities, rng)
+            chosen = choose_best(potentials, rng) if greedy else choose(_floored(probabilities, floor), rng)
         if met is not None and not advice:
             weights = potentials if greedy else probabilities
             chosen = _leading_on(domain, state, actions, weights, chosen, met, greedy, rng)
@@ -146,6 +147,10 @@ def generate_episode(
             met.add(interpretation_of(state).fingerprint)
         status, actions = domain.situation(state, lean)
     return Episode(tuple(steps), domain.observe(state, rng), actions, status == "goal", state)
+
+
+def _floored(probabilities: np.ndarray, floor: float) -> np.ndarray:
+    return (1 - floor) * probabilities + floor / len(probabilities) if floor else probabilities
 
 
 def _leading_on(

@@ -70,6 +70,11 @@ class Options(Common):
         0.0, "share of min_examples that each tree adds to it, so that later trees average over more", low=0
     )
     episodes_per_iteration: int = option(1, "least number of episodes between two trees", low=1)
+    curriculum: str = option(
+        "yes",
+        "whether problems are learned from the smallest on, more as success rises; without problems it is the same",
+        choices=("no", "yes"),
+    )
     update: str = option("all", "actions that get an example: all, or the one taken", choices=("all", "taken"))
     step: str = option(
         "gradient",
@@ -87,7 +92,18 @@ class Options(Common):
         low=0,
         high=1,
     )
-    replay: int = option(0, "earlier rewarded steps that each tree learns from again, under the present policy", low=0)
+    imitation: str = option(
+        "no",
+        "what trees learn from: returns, or (self) the shortest ways to the goal that the policy's own episodes have found",
+        choices=("no", "self"),
+    )
+    floor: float = option(0.0, "share of the policy's actions in training that are drawn uniformly", low=0, high=1)
+    replay: int = option(
+        0,
+        "earlier steps that each tree learns from again, under the present policy: the last ones that were rewarded; in "
+        "self-imitation states drawn from all that have been met",
+        low=0,
+    )
     regressor: str = option("tilde", "what fits the trees: TILDE, or CART by scikit-learn", choices=("tilde", "cart"))
     models: str = option(
         "one",

@@ -36,7 +36,7 @@ def train(
     rng = np.random.default_rng(options.seed)
     policy = QFunction(regressor(domain, bias, options), options)
     yield Iteration(policy, 0, ())
-    for count, episode in enumerate(training_episodes(policy, rng, options, expert), 1):
+    for count, episode in enumerate(training_episodes(policy, rng, options, expert=expert), 1):
         policy.regressor.update(examples(episode, policy))
         policy.temperature = options.temperature_after(count)
         yield Iteration(policy, count, (episode,))

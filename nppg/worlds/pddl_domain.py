@@ -13,6 +13,9 @@ import numpy as np
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.prolog import ask
 from nppg.errors import NppgError, Problem
+from nppg.features.bias_edit import extended
+from nppg.features.derived import Derived
+from nppg.features.selection import text as clauses_of
 from nppg.pddl.bias_text import bias_text
 from nppg.pddl.domain_text import domain_text
 from nppg.pddl.goals import goal_predicates, unreachable
@@ -22,6 +25,7 @@ from nppg.pddl.names import Names, names_of
 from nppg.pddl.opening_text import module_name
 from nppg.pddl.problem_data import problem_data
 from nppg.pddl.reader import read_domain, read_problem
+from nppg.worlds.deriving import derived, telling
 from nppg.worlds.domain import Domain
 from nppg.worlds.problems import Problems
 from nppg.worlds.state import Interpretation, Static, standard_order
@@ -45,6 +49,7 @@ class PddlDomain(Domain):
         super().__init__(path, parameters)
         self.generated = pddl is not None  # its file, which has no place then
         self.model = pddl or read_domain(self.path.parent / self.pddl)
+        self.derived: list[Derived] = []  # predicates that the domain file has beyond PDDL's
         self.names: Names = names_of(self.model, taken)
 
     def start(self, rng: np.random.Generator) -> State:
@@ -64,7 +69,7 @@ class PddlDomain(Domain):
 
     def language_bias(self) -> LanguageBias:
         """The generated one."""
-        text = bias_text(self.model, self.names, self.wanted)
+        text = extended(bias_text(self.model, self.names, self.wanted), self.derived)
         return LanguageBias.parse(text, str(self.path.with_suffix(".yaml")))
 
     def problems_of(self, files: Sequence[Path]) -> Problems:
@@ -155,9 +160,24 @@ def import_domain(
     names = names_of(pddl, taken)
     wanted = frozenset().union(*(goal_predicates(each, pddl) for each in read))
     text = domain_text(pddl, names, wanted, _sizes(read))
+    domain = _loaded(text, pddl, parameters, read)
+    if read:
+        found = derived(domain, domain.language_bias())
+        chosen = telling(_loaded(text + clauses_of(found), pddl, parameters, read), found)
+        domain = _loaded(text + clauses_of(chosen), pddl, parameters, read)
+        domain.derived = chosen
+    return domain
+
+
+def _loaded(
+    text: str,
+    pddl: Pddl,
+    parameters: Mapping[str, int | float | str] | None,
+    problems: Sequence[PlanningProblem],
+) -> PddlDomain:
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, f"{module_name(pddl)}.pl")
         file.write_text(text, encoding="utf-8")
         domain = PddlDomain(file, parameters, pddl)
     domain.path = Path(file.name)
-    return domain.over_read(read) if read else domain
+    return domain.over_read(problems) if problems else domain
