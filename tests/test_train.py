@@ -21,11 +21,11 @@ from nppg.bridge.files import locate
 from nppg.errors import NppgError
 from nppg.judging.evaluation import ExactEvaluator, evaluate
 from nppg.judging.space import Space
+from nppg.learning.courses import examples
 from nppg.learning.critic import critic
 from nppg.learning.episode import generate_episode, longest
 from nppg.learning.gradient import functional_gradient
 from nppg.learning.options import Options
-from nppg.learning.courses import examples
 from nppg.learning.training import train
 from nppg.learning.visits import kept
 from nppg.policy.policy import Policy
