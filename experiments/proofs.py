@@ -23,6 +23,7 @@ from nppg.rules.proof import prove
 
 EPISODES = 500
 BLOCKS = [6, 8, 10, 11, 12, 13, 14, 16, 18]
+PROBLEMS = "\n## On problems\n"  # what follows in the report's file is kept
 
 
 def main() -> None:
@@ -48,7 +49,8 @@ def main() -> None:
             print(rows[-1], flush=True)
     report = _report(chosen, count, rows)
     if chosen.write:
-        chosen.write.write_text(report)
+        _, heading, rest = chosen.write.read_text().partition(PROBLEMS) if chosen.write.exists() else ("", "", "")
+        chosen.write.write_text(report + heading + rest)
     print(report)
 
 

@@ -17,7 +17,7 @@
             expert_actions/2,    % +Module, -Data                det
             neighbours/2,        % +Module, -Answer              det
             take/5,              % +Module, +Lean, +Action, -Actions, -Answer  det
-            certain/3,           % +Module, +Action, -Change     det
+            outcomes_of/3,       % +Module, +Actions, -Outcomes  det
             reward_of/3,         % +Module, +Action, -Reward     det
             cost_of/3            % +Module, +Action, -Cost       det
           ]).
@@ -253,17 +253,19 @@ take(Module, Lean, ActionData, Actions, [Reward, GoneData, NewData, Situation]) 
         Actions = []
     ).
 
-%!  certain(+Module, +Action, -Change) is det: [Gone, New] where an action has one outcome, else [].
+%!  outcomes_of(+Module, +Actions, -Outcomes) is det.
+%
+%   What each of the actions may lead to in the current state: a list of [Probability, Gone, New].
 
-certain(Module, ActionData, Change) :-
-    decode(ActionData, Action),
+outcomes_of(Module, ActionsData, Data) :-
+    decode_all(ActionsData, Actions),
+    findall(Outcomes, ( member(Action, Actions), encoded_changes(Module, Action, Outcomes) ), Data).
+
+encoded_changes(Module, Action, Data) :-
     outcomes(Module, Action, Outcomes),
-    (   Outcomes = [_-change(Gone, New)]
-    ->  encode_all(Gone, GoneData),
-        encode_all(New, NewData),
-        Change = [GoneData, NewData]
-    ;   Change = []
-    ).
+    findall([Probability, GoneData, NewData],
+            ( member(Probability-change(Gone, New), Outcomes), encode_all(Gone, GoneData), encode_all(New, NewData) ),
+            Data).
 
 %!  reward_of(+Module, +Action, -Reward) is det: for an action that has just led to the current state.
 

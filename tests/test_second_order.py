@@ -176,7 +176,8 @@ def test_examples_carry_weighted_gradients_and_curvatures(four_blocks: Domain, p
     for step, value, _ in batch:
         own = slice(start, start := start + len(step.actions))
         pi, chosen = step.probabilities, step.chosen
-        expected = [value * pi[chosen] ** importance * ((b == chosen) - pi[b]) for b in range(len(pi))]
+        weight = 0.0 if step.guided else importance
+        expected = [value * pi[chosen] ** weight * ((b == chosen) - pi[b]) for b in range(len(pi))]
         assert found.targets[own].tolist() == pytest.approx(expected, abs=1e-15)
         assert found.targets[own].sum() == pytest.approx(0, abs=1e-14)
         assert found.actions[own] == list(step.actions) and found.states[own] == [step.state] * len(pi)

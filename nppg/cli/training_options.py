@@ -14,8 +14,8 @@ from nppg.learning.options import Options, kind_of
 FIRST = ("episodes", "seed")  # what most people need
 GROUPS = {
     "policy gradients, as in the paper": (
-        "guidance", "horizon_factor", "discount", "step_size", "min_examples", "episodes_per_iteration", "update",
-        "unrewarded", "curriculum",
+        "guidance", "expert", "horizon_factor", "discount", "step_size", "min_examples", "episodes_per_iteration",
+        "update", "unrewarded", "curriculum",
     ),
     "second-order steps, and other ways to make trees learn faster": (
         "step", "regularisation", "clip", "importance", "examples_growth", "regularisation_growth", "replay",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from nppg.bias.language_bias import LanguageBias
+from nppg.experiments.experts import expert_of
 from nppg.experiments.learners import options_of
 from nppg.learning import training
 from nppg.learning.options import Common, Options
@@ -33,6 +34,7 @@ def train(
     Yields as it learns, the first time before it has learned anything; by relational Q-learning after each episode.
     Raises NppgError."""
     options = options_of(bias) if options is None else options
+    expert = expert_of(domain, options)
     if isinstance(options, Options):
-        return training.train(domain, bias, options, jobs, is_over)
-    return _GENERATORS[options.learner](domain, bias, options)
+        return training.train(domain, bias, options, jobs, is_over, expert)
+    return _GENERATORS[options.learner](domain, bias, options, expert)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nppg.errors import NppgError
+from nppg.judging.chain import reaching
 from nppg.judging.memory import Memory, Remembering
 from nppg.judging.space import Space
 from nppg.learning.episode import generate_episode, longest
@@ -156,26 +157,8 @@ class ExactEvaluator:
 
     def by_class(self, greedy: bool = False, horizon_factor: float = 1.0) -> tuple[np.ndarray, np.ndarray]:
         """The success probability and the expected number of steps from each class of the space, 0 where it is not a
-        start. By backward induction: V_t(s), the probability to reach a goal state within t steps, and U_t(s), the
-        expected number of steps when at most t are taken. A V near 1 is 1 less the probability to miss the goal, so
-        that what is certain is 1; the sums of probabilities are but for rounding."""
-        space = self.space
-        flow = self.probabilities(greedy)[space.origin] * space.weight
-        source = space.owner[space.origin]
-        goal = np.array([float(status == "goal") for status in space.status])
-        limits = self._limits(horizon_factor)
-        value, length = goal, np.zeros(len(goal))
-        ended = 1.0 - goal - space.running
-        missed = 1.0 - goal
-        success, steps = np.zeros(len(goal)), np.zeros(len(goal))
-        for t in range(1, limits.max(initial=0) + 1):
-            value = np.minimum(goal + np.bincount(source, flow * value[space.target], len(goal)), 1.0)
-            missed = np.minimum(ended + np.bincount(source, flow * missed[space.target], len(goal)), 1.0)
-            length = space.running + np.bincount(source, flow * length[space.target], len(goal))
-            now = limits == t
-            success[now] = np.where(value[now] > 0.5, 1.0 - missed[now], value[now])
-            steps[now] = length[now]
-        return success * space.running, steps * space.running
+        start; see nppg.judging.chain."""
+        return reaching(self.space, self.probabilities(greedy), self._limits(horizon_factor))
 
     def _limits(self, horizon_factor: float) -> np.ndarray:
         """The steps after which an episode ends that starts in each class."""

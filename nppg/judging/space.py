@@ -46,11 +46,13 @@ class Space:
         if not domain.uniform_start:
             raise NppgError(
                 f"{domain.path}: exact evaluation needs a finite space with a uniform start distribution, which the "
-                "domain does not declare (:- uniform_start); evaluate on sampled starts"
+                "domain does not declare (:- uniform_start); evaluate on sampled starts, or prove on problems"
             )
         if domain.static or domain.chosen:
             what = "problems with static facts" if domain.static else "chosen problems"
-            raise NppgError(f"{domain.path}: exact evaluation is not for {what}; evaluate on sampled starts")
+            raise NppgError(
+                f"{domain.path}: exact evaluation is not for {what}; evaluate on sampled starts, or prove on problems"
+            )
         self.domain = domain
         self.limit = limit
         rng = np.random.default_rng(0)

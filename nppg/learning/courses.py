@@ -132,6 +132,18 @@ def updated_actions(step: Step, options: Options) -> slice:
     return slice(None) if options.update == "all" else slice(step.chosen, step.chosen + 1)
 
 
+def importance_of(step: Step, options: Options) -> float:
+    """The power k of pi(s, a) that weights a step. Second-order steps learn from what an expert chose with k = 0,
+    whatever the option is: the weight pi(s, a)^k is about how often the policy itself would act so, and an expert is to
+    teach what it would not do. With it the gradient vanishes just where the policy is certain of another action.
+    Without it a step climbs value * log pi(s, a), the likelihood of what the expert did: its gradient at the action,
+    value (1 - pi(s, a)), is largest there, and its curvature |value| pi(s, b) (1 - pi(s, b)) is the one that `examples`
+    has, so that a leaf is a Newton step, bounded by lambda and the clip. The paper's steps weight expert and policy
+    alike."""
+    assert options.importance is not None
+    return 0.0 if step.guided and options.step == "second-order" else options.importance
+
+
 def examples(batch: Sequence[Visit], options: Options, trees: int = 0, table: Table | None = None) -> Examples:
     """The functional gradient at each updated action b (Proposition 3.1); for a second-order step also the curvature
     |value| pi(s, b) (1 - pi(s, b)), and lambda as it is after so many trees. The answers are those of the steps; where
@@ -139,10 +151,9 @@ def examples(batch: Sequence[Visit], options: Options, trees: int = 0, table: Ta
     states: list[State] = []
     actions: list[Action] = []
     answers, gradients, curvatures = [], [], []
-    importance = options.importance
-    assert importance is not None
     for step, value, _ in batch:
         updated, probabilities = updated_actions(step, options), step.probabilities
+        importance = importance_of(step, options)
         if options.update == "all":
             gradients.append(functional_gradient(probabilities, step.chosen, value, importance))
         else:

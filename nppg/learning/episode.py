@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -18,6 +18,7 @@ from nppg.worlds.state import interpretation_of
 from nppg.worlds.world import Action, State, World
 
 IDLE = 1000  # episodes in a row without a step, after which there is nothing to wait for
+Expert = Callable[[State], Sequence[Action]]  # what it would do in a state: some of the legal actions, or none
 _NOTHING = np.empty(0)
 _ROUNDING = Fraction(1, 10**12)  # what is so near to a whole number, relatively, is one
 
@@ -26,7 +27,7 @@ _ROUNDING = Fraction(1, 10**12)  # what is so near to a whole number, relatively
 class Step:
     """A state as the policy sees it, with its legal actions, the answers to the policy's tests about them (shape
     (actions, tests)), their potentials and probabilities, the index of the action taken, and the reward; the state as
-    it is; and whether the domain's expert, who sees it so, chose the action. Where a list of rules was asked for a
+    it is; and whether an expert, who sees it so, chose the action. Where a list of rules was asked for a
     best action alone, it is the only one, and nothing was answered: the arrays are empty."""
 
     state: State
@@ -99,6 +100,7 @@ def generate_episode(
     revisits: bool = True,
     scored: bool = True,
     within: float | None = None,
+    expert: Expert | None = None,
     floor: float = 0.0,
 ) -> Episode:
     """Draws a start state, unless it is given one, and acts until the episode ends: in a goal or terminal state, or cut
@@ -107,14 +109,14 @@ def generate_episode(
     has been in, while there is another one. Where not all actions need be `scored`, a greedy list of rules is asked for
     a best one alone.
 
-    With probability `guidance` the whole episode is a trace of the domain's expert; where it has no advice, the policy
-    acts: greedily, if it is to or does so wherever it does not learn; of its other actions the share `floor` is drawn
-    uniformly. Raises NppgError where the domain's code is at
-    fault.
+    With probability `guidance` the whole episode is a trace of the `expert`, by default the domain's own; where it has
+    no advice, the policy acts: greedily, if it is to or does so wherever it does not learn; of its other actions the
+    share `floor` is drawn uniformly. Raises NppgError where the domain's code is at fault.
     """
     domain = policy.domain
     greedy = greedy or (policy.greedy and not learning)
     guided = guidance > 0 and bool(rng.random() < guidance)
+    advise = domain.expert_actions if expert is None else expert
     state = domain.start(rng) if start is None else start
     met = None if revisits else {domain.interpreted(state).fingerprint}
     most = longest(domain.horizon(state), horizon_factor)
@@ -133,7 +135,7 @@ def generate_episode(
             if learning and type(actions) is not list:
                 actions = list(actions)  # while they are at hand
             answers, potentials, probabilities = policy.scores(seen, actions)
-            advice = [each for each in domain.expert_actions(state) if each in actions] if guided else []
+            advice = [each for each in advise(state) if each in actions] if guided else []
         if advice:
             chosen = actions.index(advice[int(rng.random() * len(advice))])
         elif not lean:

@@ -21,8 +21,8 @@ def at_least(name: str, value: int, low: int) -> int:
 
 
 def option(default: Any, help: str, **bounds: Any) -> Any:
-    """A field of an options class: what it is for, its bounds `low` and `high` or its `choices`, and its `kind` where
-    the default does not show it."""
+    """A field of an options class: what it is for, its bounds `low` and `high` or its `choices`, or that it is any
+    `text`, and its `kind` where the default does not show it."""
     return field(default=default, metadata={"help": help, **bounds})
 
 
@@ -39,7 +39,13 @@ class Common:
 
     episodes: int = option(2000, "episodes in all", low=0)
     seed: int = option(0, "seed of the NumPy generator that all randomness comes from", low=0)
-    guidance: float = option(0.1, "share of episodes that are traces of the domain's expert", low=0, high=1)
+    guidance: float = option(0.1, "share of episodes that are traces of an expert", low=0, high=1)
+    expert: str = option(
+        "domain",
+        "who that is: the domain's expert/1; optimal, the fewest steps in problems of few states; or a planner of "
+        "unified-planning by its name, such as fast-downward, on problems in PDDL",
+        text=True,
+    )
     horizon_factor: float = option(1.0, "episodes end after this many times the domain's horizon", low=0)
 
     def __post_init__(self) -> None:
@@ -157,6 +163,8 @@ def problem_of(option: Field, value: Any) -> str:
     if "choices" in bounds:
         choices = bounds["choices"]
         return "" if value in choices else f"{name} must be one of {', '.join(choices)}, not {value!r}"
+    if bounds.get("text"):
+        return "" if isinstance(value, str) and value else f"{name} must be a name, not {value!r}"
     low, high = bounds["low"], bounds.get("high", sys.float_info.max)
     whole = kind_of(option) is int
     if isinstance(value, bool) or not isinstance(value, int if whole else (int, float)):

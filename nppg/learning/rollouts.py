@@ -12,7 +12,7 @@ import numpy as np
 
 from nppg.errors import NppgError, Problem
 from nppg.learning.curriculum import Curriculum
-from nppg.learning.episode import IDLE, Episode, generate_episode
+from nppg.learning.episode import IDLE, Episode, Expert, generate_episode
 from nppg.learning.options import Common, Options
 from nppg.policy.beside import Gone, Others
 from nppg.policy.policy import Policy
@@ -37,46 +37,66 @@ class Rollouts:
     """Plays episodes of a training run by their numbers, each with a generator of its own, so that it does not matter
     who plays it. With a curriculum so many problems as are `opened` are open."""
 
-    def __init__(self, policy: Policy, options: Options, curriculum: Curriculum | None = None):
+    def __init__(
+        self, policy: Policy, options: Options, curriculum: Curriculum | None = None, expert: Expert | None = None
+    ):
         self.policy = policy
         self.options = options
         self.curriculum = curriculum
+        self.expert = expert
 
     def __call__(self, numbers: Sequence[int], opened: int) -> list[Played]:
         rngs = (np.random.default_rng([self.options.seed, each]) for each in numbers)
-        return [_played(self.policy, rng, self.options, self.curriculum, opened) for rng in rngs]
+        return [_played(self.policy, rng, self.options, self.curriculum, opened, self.expert) for rng in rngs]
 
 
 def _played(
-    policy: Policy, rng: np.random.Generator, options: Common, curriculum: Curriculum | None, opened: int
+    policy: Policy,
+    rng: np.random.Generator,
+    options: Common,
+    curriculum: Curriculum | None,
+    opened: int,
+    expert: Expert | None,
 ) -> Played:
     problem = curriculum.draw(rng, opened) if curriculum else None
     start = None if problem is None else policy.domain.problem(problem)
     floor = options.floor if isinstance(options, Options) else 0.0
     episode = generate_episode(
-        policy, rng, options.guidance, options.horizon_factor, learning=True, start=start, floor=floor
+        policy,
+        rng,
+        options.guidance,
+        options.horizon_factor,
+        learning=True,
+        start=start,
+        expert=expert,
+        floor=floor,
     )
     return Played(episode, problem)
 
 
 def training_episodes(
-    policy: Policy, rng: np.random.Generator, options: Common, curriculum: Curriculum | None = None
+    policy: Policy,
+    rng: np.random.Generator,
+    options: Common,
+    curriculum: Curriculum | None = None,
+    expert: Expert | None = None,
 ) -> Iterator[Episode]:
     """The episodes of a training run, each by the policy as it is by then; what the curriculum opens is open from the
     next one on. Warns where none of them is rewarded. Raises NppgError where no episode takes a step any more."""
     played = (
-        _played(policy, rng, options, curriculum, curriculum.opened if curriculum else 0)
+        _played(policy, rng, options, curriculum, curriculum.opened if curriculum else 0, expert)
         for _ in range(options.episodes)
     )
     return _watched(policy, played, options, curriculum)
 
 
 def iterations_episodes(
-    policy: Policy, options: Options, jobs: int, curriculum: Curriculum | None = None
+    policy: Policy, options: Options, jobs: int, curriculum: Curriculum | None = None, expert: Expert | None = None
 ) -> Iterator[Episode]:
     """The same where many episodes are played between two trees, in up to `jobs` processes, which changes nothing; what
     the curriculum opens is open from the next tree on."""
-    return _watched(policy, _by_iterations(Rollouts(policy, options, curriculum), jobs), options, curriculum)
+    rollouts = Rollouts(policy, options, curriculum, expert)
+    return _watched(policy, _by_iterations(rollouts, jobs), options, curriculum)
 
 
 def _watched(

@@ -10,7 +10,7 @@ import numpy as np
 from nppg.bias.language_bias import LanguageBias
 from nppg.learning.courses import course_of
 from nppg.learning.curriculum import curriculum_of
-from nppg.learning.episode import Episode
+from nppg.learning.episode import Episode, Expert
 from nppg.learning.options import Options
 from nppg.learning.rollouts import are_many, iterations_episodes, training_episodes
 from nppg.policy.policy import Policy
@@ -40,10 +40,12 @@ def train(
     options: Options | None = None,
     jobs: int = 1,
     is_over: Callable[[], bool] = lambda: False,
+    expert: Expert | None = None,
 ) -> Iterator[Iteration]:
     """Yields after each tree, the first time before the first one, the last time after all episodes, or the one after
     which it `is_over`. Where there are MANY episodes to an iteration, up to `jobs` processes play them, and nothing
-    changes with their number. Raises NppgError.
+    changes with their number. `expert` guides episodes in place of the domain's own, and is pickled for these
+    processes. Raises NppgError.
 
     A policy asks what its trees test. It shares the learner's table, so that its steps have the answers that trees are
     grown from, unless that is large."""
@@ -54,9 +56,10 @@ def train(
     curriculum = curriculum_of(domain) if options.curriculum == "yes" else None
     yield Iteration(policy, 0, (), str(curriculum or ""))
     if are_many(options):
-        episodes = iterations_episodes(policy, options, jobs, curriculum)
+        episodes = iterations_episodes(policy, options, jobs, curriculum, expert)
     else:
-        episodes = training_episodes(policy, np.random.default_rng(options.seed), options, curriculum)
+        rng = np.random.default_rng(options.seed)
+        episodes = training_episodes(policy, rng, options, curriculum, expert)
     for count, episode in enumerate(episodes, 1):
         recent.append(episode)
         course.hear(episode)

@@ -9,8 +9,9 @@ try:
     from unified_planning.engines import SequentialPlanValidator as PlanValidator
     from unified_planning.engines.mixins import OneshotPlannerMixin
     from unified_planning.engines.results import LogLevel, LogMessage
-    from unified_planning.environment import get_environment
-    from unified_planning.exceptions import UPValueError
+    from unified_planning.environment import Environment, get_environment
+    from unified_planning.exceptions import UPException, UPValueError
+    from unified_planning.io import PDDLReader
     from unified_planning.io.pddl_writer import ConverterToPDDLString
     from unified_planning.model import Problem as UPProblem
     from unified_planning.model import ProblemKind
@@ -26,14 +27,17 @@ __all__ = [
     "ActionInstance",
     "ConverterToPDDLString",
     "Engine",
+    "Environment",
     "LogLevel",
     "LogMessage",
     "OneshotPlannerMixin",
+    "PDDLReader",
     "PlanGenerationResult",
     "PlanGenerationResultStatus",
     "PlanValidator",
     "ProblemKind",
     "SequentialPlan",
+    "UPException",
     "UPProblem",
     "UPValueError",
     "get_environment",

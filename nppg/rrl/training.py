@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
-from nppg.learning.episode import Episode
+from nppg.learning.episode import Episode, Expert
 from nppg.learning.rollouts import training_episodes
 from nppg.learning.training import Iteration
 from nppg.rrl.options import QOptions
@@ -28,12 +28,15 @@ def examples(episode: Episode, policy: QFunction) -> list[Example]:
     return found
 
 
-def train(domain: Domain, bias: LanguageBias, options: QOptions) -> Iterator[Iteration]:
-    """Yields after each episode, the first time before the first one. Raises NppgError."""
+def train(
+    domain: Domain, bias: LanguageBias, options: QOptions, expert: Expert | None = None
+) -> Iterator[Iteration]:
+    """Yields after each episode, the first time before the first one. `expert` guides in place of the domain's own.
+    Raises NppgError."""
     rng = np.random.default_rng(options.seed)
     policy = QFunction(regressor(domain, bias, options), options)
     yield Iteration(policy, 0, ())
-    for count, episode in enumerate(training_episodes(policy, rng, options), 1):
+    for count, episode in enumerate(training_episodes(policy, rng, options, expert=expert), 1):
         policy.regressor.update(examples(episode, policy))
         policy.temperature = options.temperature_after(count)
         yield Iteration(policy, count, (episode,))

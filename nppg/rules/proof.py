@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import json
-import math
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
 
-from nppg.bridge.files import file_hash, replacing
-from nppg.errors import NppgError, Problem
+from nppg.bridge.files import file_hash
+from nppg.errors import NppgError
 from nppg.judging.evaluation import ExactEvaluator
 from nppg.judging.space import Space
 from nppg.policy.model import another_domain
 from nppg.policy.policy import Policy
+from nppg.rules.certificates import Certificate
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +29,7 @@ class Failure:
 
 
 @dataclass(frozen=True, slots=True)
-class Proof:
+class Proof(Certificate):
     """`success` is the share of all `starts` start states, times the probability to succeed there; `failures` are the
     classes from which the goal can be missed, the likeliest failure first."""
 
@@ -49,10 +48,6 @@ class Proof:
     def complete(self) -> bool:
         """Whether the policy succeeds for certain from every start state."""
         return not self.failures
-
-    def save(self, path: Path) -> None:
-        """Writes the certificate, as JSON."""
-        replacing(path, lambda temporary: temporary.write_text(json.dumps(asdict(self), indent=1) + "\n"))
 
 
 def prove(policy: Policy, model: Path, greedy: bool = True, space: Space | None = None) -> Proof:
@@ -82,33 +77,3 @@ def prove(policy: Policy, model: Path, greedy: bool = True, space: Space | None 
             for i in sorted(failing, key=lambda i: (success[i] - 1) * space.sizes[i])
         ),
     )
-
-
-def check_certificate(certificate: Path, proof: Proof) -> None:
-    """Raises NppgError where a certificate says anything else than this proof of the policy as it is now."""
-    try:
-        claimed = json.loads(certificate.read_text())
-    except OSError as error:
-        raise NppgError([Problem(str(certificate), 0, 0, f"cannot be read: {error.strerror}")]) from None
-    except (ValueError, RecursionError):
-        claimed = None
-    if not isinstance(claimed, dict) or "model_sha256" not in claimed:
-        raise NppgError([Problem(str(certificate), 0, 0, "this is no certificate of nppg")])
-    proved = json.loads(json.dumps(asdict(proof)))
-    wrong = [name for name in (proved | claimed) if not _agree(claimed.get(name), proved.get(name))]
-    if wrong:
-        names = ", ".join(name.removesuffix("_sha256") for name in wrong)
-        message = f"the certificate says something else than the proof of this policy about: {names}"
-        raise NppgError([Problem(str(certificate), 0, 0, message)])
-
-
-def _agree(one: object, other: object) -> bool:
-    """Whether two contents of JSON are the same, but for rounding."""
-    match one, other:
-        case float(), float():
-            return math.isclose(one, other, rel_tol=1e-9, abs_tol=1e-9)
-        case list(), list():
-            return len(one) == len(other) and all(map(_agree, one, other))
-        case dict(), dict():
-            return one.keys() == other.keys() and all(_agree(one[name], other[name]) for name in one)
-    return type(one) is type(other) and one == other

@@ -235,12 +235,15 @@ class Domain:
         with randomness(rng):
             return self._loaded.act(self.interpreted(state), plain([action])[0], lean)
 
+    def outcomes(self, state: State, actions: Sequence[Action]) -> list[list[Outcome]]:
+        """What each of these legal actions may lead to."""
+        self.visit(state)
+        return self._loaded.outcomes(self.interpreted(state), plain(actions))
+
     def certain(self, state: State, action: Action) -> State | None:
         """The state that an action leads to, None where that is left to chance."""
-        self.visit(state)
-        before = self.interpreted(state)
-        change = ask("certain", self.module, *plain([action]))
-        return before.changed(*map(ground, change)) if change else None
+        (found,) = self.outcomes(state, [action])
+        return found[0].state if len(found) == 1 else None
 
     def cost(self, state: State, action: Action) -> float:
         """What an action costs in the state: 1, unless the domain defines cost/2."""
@@ -255,17 +258,7 @@ class Domain:
     def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
         """Every legal action, also of a goal or terminal state, with all its outcomes."""
         self.visit(state)
-        facts, found = ask("neighbours", self.module)
-        own, static = ground(facts), self.interpreted(state).static
-
-        def successor(facts: list) -> State:
-            return Interpretation((own[fact] if isinstance(fact, int) else ground(fact) for fact in facts), static)
-
-        actions = compounds([action for action, _ in found])
-        return [
-            (action, [Outcome(probability, successor(facts)) for probability, facts in outcomes])
-            for action, (_, outcomes) in zip(actions, found, strict=True)
-        ]
+        return self._loaded.neighbours(self.interpreted(state))
 
     def plan_step(self, action: Action) -> str:
         """An action as a line of a plan: (sail l1 l2)."""

@@ -157,6 +157,9 @@ class GymDomain(Domain):
     def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
         raise self._mistake("the outcomes of its actions cannot be listed")
 
+    def outcomes(self, state: State, actions: Sequence[Action]) -> list[list[Outcome]]:
+        return [outcomes for _, outcomes in self.neighbours(state)]
+
     def certain(self, state: State, action: Action) -> State | None:
         raise self._mistake("what an action leads to is told when it is taken, not before")
 

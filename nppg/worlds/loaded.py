@@ -9,7 +9,7 @@ from pathlib import Path
 from weakref import WeakValueDictionary
 
 from nppg.bridge.prolog import ask, check_thread, drop_with
-from nppg.bridge.terms import Ground, ground, plain
+from nppg.bridge.terms import Ground, compounds, ground, plain
 from nppg.worlds.state import (
     NOTHING,
     FactNumbers,
@@ -20,6 +20,7 @@ from nppg.worlds.state import (
     static_facts,
     static_of,
 )
+from nppg.worlds.world import Outcome
 
 
 class Loaded:
@@ -112,6 +113,27 @@ class Loaded:
         self._answers = [table, *answers] if answers else []
         self.current = following = before.changed(ground(gone), ground(new))
         return reward, following
+
+    def outcomes(self, before: Interpretation, actions: Sequence[Ground]) -> list[list[Outcome]]:
+        """What each of the actions may lead to from the current state `before`."""
+        return [
+            [Outcome(each, before.changed(ground(gone), ground(new))) for each, gone, new in found]
+            for found in ask("outcomes_of", self.module, actions)
+        ]
+
+    def neighbours(self, before: Interpretation) -> list[tuple[Ground, list[Outcome]]]:
+        """The same for every legal action, where the states' facts are wanted: they are made at once."""
+        facts, found = ask("neighbours", self.module)
+        own, static = ground(facts), before.static
+
+        def successor(facts: list) -> Interpretation:
+            return Interpretation((own[fact] if isinstance(fact, int) else ground(fact) for fact in facts), static)
+
+        actions = compounds([action for action, _ in found])
+        return [
+            (action, [Outcome(probability, successor(facts)) for probability, facts in outcomes])
+            for action, (_, outcomes) in zip(actions, found, strict=True)
+        ]
 
     def answers_about(self, table: str, actions: Sequence[Ground]) -> tuple[list, list]:
         """What a table answers about actions in the current state."""

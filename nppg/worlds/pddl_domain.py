@@ -76,7 +76,7 @@ class PddlDomain(Domain):
         if any(file.suffix == ".pl" for file in files):
             return super().problems_of(files)
         files = problem_files(files, self.model)
-        return Problems(dict(enumerate(_names(files), 1)), partial(self._start, files))
+        return Problems(dict(enumerate(_names(files), 1)), partial(self._start, files), files=files)
 
     def _start(self, files: Sequence[Path], number: int) -> Interpretation:
         return self.start_of(read_problem(files[number - 1], self.model))
@@ -86,8 +86,9 @@ class PddlDomain(Domain):
 
     def over_read(self, problems: Sequence[PlanningProblem]) -> PddlDomain:
         """The same domain with these problems."""
-        names = _names([Path(each.file) for each in problems])
-        return self.over(Problems(dict(enumerate(names, 1)), partial(self._start_of_read, problems)))
+        files = [Path(each.file) for each in problems]
+        names = dict(enumerate(_names(files), 1))
+        return self.over(Problems(names, partial(self._start_of_read, problems), files=files))
 
     def start_of(self, problem: PlanningProblem) -> Interpretation:
         """The start state of a problem. Raises NppgError where its goal cannot be reached."""
@@ -95,6 +96,15 @@ class PddlDomain(Domain):
             raise NppgError(wrong)
         data = problem_data(problem, self.model, self.names, self.wanted)
         return Interpretation(sorted(data.fluents, key=standard_order), Static(sorted(data.static, key=standard_order)))
+
+    def file_of(self, number: int) -> Path | None:
+        """The PDDL file that a problem comes from, None where it comes from another one."""
+        files = self._problems.files if number in self.problems and self._problems else ()
+        return files[number - 1] if files else None
+
+    def step_of_plan(self, name: str, args: Sequence[str]) -> Action:
+        """The action that PDDL's plans have with this name and these objects."""
+        return (self.names.actions[name], *args) if args else self.names.actions[name]
 
     def plan_step(self, action: Action) -> str:
         """An action as PDDL's plans have it: (sail l1 l2)."""

@@ -21,11 +21,18 @@ _KEPT = 100  # start states that are remembered
 
 class Problems:
     """Start states by number, each with a name; they are read when they are first needed. `given`: beside the domain,
-    which does not have them in its file."""
+    which does not have them in its file. `files`: those in PDDL that they come from."""
 
-    def __init__(self, names: Mapping[int, str], read: Callable[[int], Interpretation], given: bool = True):
+    def __init__(
+        self,
+        names: Mapping[int, str],
+        read: Callable[[int], Interpretation],
+        given: bool = True,
+        files: Sequence[Path] = (),
+    ):
         self.names = names
         self.given = given
+        self.files = files
         self._read = read
         self._known: dict[int, Interpretation] = {}
 
@@ -40,13 +47,13 @@ class Problems:
     def __reduce__(self) -> tuple:
         """Given ones take all states along, for their files may be missing where they are unpickled."""
         if self.given:
-            return numbered, ([self.state(number) for number in self.names], list(self.names.values()))
+            return numbered, ([*map(self.state, self.names)], list(self.names.values()), self.files)
         return Problems, (self.names, self._read, False)
 
 
-def numbered(states: Sequence[Interpretation], names: Sequence[str]) -> Problems:
+def numbered(states: Sequence[Interpretation], names: Sequence[str], files: Sequence[Path] = ()) -> Problems:
     """These start states, numbered from 1."""
-    return Problems(dict(enumerate(names, 1)), partial(_nth, states))
+    return Problems(dict(enumerate(names, 1)), partial(_nth, states), files=files)
 
 
 def _nth(states: Sequence[Interpretation], number: int) -> Interpretation:

@@ -26,10 +26,10 @@ test(dead_end, Situation == [terminal, []]) :-
     town(M),
     begin(M, 2, _),
     take(M, false, [go, d], _, [0, _, _, Situation]).
-test(certain, Change == [[[at, a]], [[at, b]]]) :-
+test(outcomes_of, Outcomes == [[[1, [[at, a]], [[at, b]]]], [[1, [[at, a]], [[at, b]]]]]) :-
     town(M),
     begin(M, 1, _),
-    certain(M, [go, b], Change).
+    outcomes_of(M, [[go, b], [go, b]], Outcomes).
 test(step_back, Situation == [running, [[go, b]]]) :-
     town(M),
     begin(M, 1, _),
