@@ -139,7 +139,8 @@ def _from_met(
         preferences.add(met_by_others(policy, judge.episodes(best)), most)
     least = judge.worth(best)
     least = least._replace(quality=_KEPT * least.quality)
-    finalists = sorted((each for each in found if judge.reaches(each, least)), key=_length)[:_FINALISTS]
+    good = sorted((each for each in found if judge.reaches(each, least)), key=_length)
+    finalists = good[:_FINALISTS] if isinstance(judge, PlayedJudge) else [best]
     return min((_pruned(each, refiner, judge, least.quality) for each in finalists), key=_length)
 
 

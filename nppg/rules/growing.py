@@ -34,8 +34,7 @@ Met = tuple[State, Sequence[Action], np.ndarray]  # a state, its actions and the
 
 class Preferences:
     """States, each once, with their actions, and the probability of each action as a share of the best one's: 0 or 1
-    where the policy is greedy. Of very many actions in a state some are looked at: those that the policy prefers, and
-    as many others as there is room for, drawn."""
+    where the policy is greedy."""
 
     def __init__(self, policy: Policy, table: Table):
         self.policy = policy
@@ -52,7 +51,8 @@ class Preferences:
         return len(self.actions)
 
     def add(self, met: Iterable[Met], most: int | None = None) -> None:
-        """Adds those that are new, up to `most` pairs in all."""
+        """Adds those that are new, up to `most` pairs in all. Of very many actions in a state, some of these are kept:
+        first those that the policy prefers; which of the others is drawn."""
         shares = [self.shares]
         for state, legal, potentials in met:
             own = interpretation_of(state)
@@ -63,7 +63,7 @@ class Preferences:
                 continue
             self._met.add(key)
             share = best(potentials).astype(float) if self.policy.greedy else np.exp(potentials - potentials.max())
-            kept = self._kept(share)
+            kept = np.arange(len(share)) if most is None or len(share) <= _ACTIONS else self._kept(share)
             self.first.append(len(self.actions))
             self.states += [state] * len(kept)
             self.actions += [legal[i] for i in kept]
@@ -71,8 +71,6 @@ class Preferences:
         self.shares = np.concatenate(shares)
 
     def _kept(self, share: np.ndarray) -> np.ndarray:
-        if len(share) <= _ACTIONS:
-            return np.arange(len(share))
         order = np.lexsort((self._rng.random(len(share)), -(share >= GOOD[0]).astype(int)))
         return np.sort(order[:_ACTIONS])
 
@@ -119,7 +117,7 @@ def met_by_others(policy: Policy, episodes: Sequence[Episode]) -> Iterator[Met]:
     """What the policy says of the states of others' episodes."""
     for episode in episodes:
         for step in episode.steps:
-            status, actions = policy.domain.situation(step.state)
+            status, actions = policy.domain.situation(step.actual)
             if status == "running":
                 yield step.state, list(actions), policy.potentials(step.state, actions)
 

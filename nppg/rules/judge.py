@@ -13,6 +13,7 @@ import numpy as np
 from nppg.answers.coverage import table_of
 from nppg.answers.table import Table
 from nppg.bias.language_bias import LanguageBias
+from nppg.errors import NppgError
 from nppg.judging.evaluation import ExactEvaluator, evaluate, merit, spread
 from nppg.learning.episode import Episode, generate_episode
 from nppg.policy.policy import Policy
@@ -141,6 +142,8 @@ class PlayedJudge(Judge):
         super().__init__(policy, bias)
         self.domain = domain
         self.trials = _trials(policy if domain is policy.domain else in_domain(policy, domain), domain)
+        if not self.trials:
+            raise NppgError(f"{domain.path}: no start state to judge rules on: all are goal or terminal states")
         self._best = [trial.steps for trial in self.trials]
         self._order = list(range(len(self.trials)))
         self._known: dict[tuple[Rule, ...], dict[int, int | None]] = {}
@@ -229,7 +232,7 @@ class PlayedJudge(Judge):
         return 0.0 if steps is None or best is None else 1.0 if steps == best else best / steps
 
     def _valued(self, steps: Sequence[int | None]) -> Worth:
-        whole = max(len(self.trials), 1)
+        whole = len(self.trials)
         solved = sum(each is not None for each in steps)
         lost = sum(1 - self._share(number, each) for number, each in enumerate(steps))
         return Worth(solved / whole, (whole - lost) / whole)
