@@ -26,7 +26,8 @@ from nppg.learning.episode import Episode, Step, generate_episode
 from nppg.learning.gradient import functional_gradient
 from nppg.learning.options import Options
 from nppg.learning.regressors import Examples
-from nppg.learning.training import examples, train
+from nppg.learning.courses import examples
+from nppg.learning.training import train
 from nppg.learning.visits import Visit, kept, revisited
 from nppg.logic.query import Query
 from nppg.policy.gibbs import gibbs

@@ -25,7 +25,8 @@ from nppg.learning.critic import critic
 from nppg.learning.episode import generate_episode, longest
 from nppg.learning.gradient import functional_gradient
 from nppg.learning.options import Options
-from nppg.learning.training import examples, train
+from nppg.learning.courses import examples
+from nppg.learning.training import train
 from nppg.learning.visits import kept
 from nppg.policy.policy import Policy
 from nppg.trees.tree import leaves

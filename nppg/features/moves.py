@@ -1,7 +1,7 @@
-"""Ways: where an action leads along static facts, how far it is, and whether it leads towards something.
+"""Places: where an action could be taken, how far it is to there, and whether a step leads towards it.
 
-A move is an action that exchanges one argument of a fluent for another one that static facts relate to it: where
-drive(V, X, Y) replaces at(V, X) by at(V, Y) along road(X, Y), a step leads from X to Y.
+A move is an action that exchanges one argument of a fluent: drive(V, X, Y) replaces at(V, X) by at(V, Y). Where static
+facts relate the two, like road(X, Y), it is a step from X to Y, and there are distances.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ def moves(words: Words, all_schemas: Iterable[Schema]) -> list[Moves]:
                 for literal in schema.literals
                 if str(literal.name) in words.static and x in literal.args and y in literal.args
             )
-            if not edge or not (isinstance(x, Var) and isinstance(y, Var)):
+            if not (isinstance(x, Var) and isinstance(y, Var)):
                 continue
             others = tuple(arg for i, arg in enumerate(gone.args) if i != place)
             if not all(isinstance(arg, Var) for arg in others):
@@ -65,7 +65,8 @@ def moves(words: Words, all_schemas: Iterable[Schema]) -> list[Moves]:
             mentioned = variables_of(edge)
             along = tuple(i for i, arg in enumerate(others) if arg in mentioned)
             known.along = tuple(sorted({*known.along, *along}))
-            known.steps.append((others, x, y, edge))  # type: ignore[arg-type]
+            if edge:
+                known.steps.append((others, x, y, edge))  # type: ignore[arg-type]
     return [each for each in found.values() if all(each.types)]
 
 

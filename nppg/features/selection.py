@@ -27,11 +27,13 @@ def candidates(module: str, bias: Declared, words: Words) -> list[Derived]:
         yield from unsettled(words)
         yield from beyond(words)
         for each in moves(words, all_schemas):
-            way = ways(each)
-            yield nearer(way)
+            way = ways(each) if each.steps else None
+            if way:
+                yield nearer(way)
             for target, along in targets(words, all_schemas, each):
                 yield target
-                yield toward(way, target, along)
+                if way:
+                    yield toward(way, target, along)
         yield from fewer(words, all_schemas)
 
     found: dict[str, Derived] = {}

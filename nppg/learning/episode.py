@@ -98,6 +98,7 @@ def generate_episode(
     start: State | None = None,
     revisits: bool = True,
     scored: bool = True,
+    floor: float = 0.0,
     within: float | None = None,
 ) -> Episode:
     """Draws a start state, unless it is given one, and acts until the episode ends: in a goal or terminal state, or cut
@@ -107,8 +108,8 @@ def generate_episode(
     a best one alone.
 
     With probability `guidance` the whole episode is a trace of the domain's expert; where it has no advice, the policy
-    acts: greedily, if it is to or does so wherever it does not learn. Raises NppgError where the domain's code is at
-    fault.
+    acts: greedily, if it is to or does so wherever it does not learn; of its other actions the share `floor` is drawn
+    uniformly. Raises NppgError where the domain's code is at fault.
     """
     domain = policy.domain
     greedy = greedy or (policy.greedy and not learning)
@@ -135,7 +136,7 @@ def generate_episode(
         if advice:
             chosen = actions.index(advice[int(rng.random() * len(advice))])
         elif not lean:
-            chosen = choose_best(potentials, rng) if greedy else choose(probabilities, rng)
+            chosen = choose_best(potentials, rng) if greedy else choose(_floored(probabilities, floor), rng)
         if met is not None and not advice:
             weights = potentials if greedy else probabilities
             chosen = _leading_on(domain, state, actions, weights, chosen, met, greedy, rng)
@@ -152,6 +153,10 @@ def generate_episode(
 def _is_over(until: float | None) -> bool:
     """Whether it is this processor time, if it is limited."""
     return until is not None and time.process_time() >= until
+
+
+def _floored(probabilities: np.ndarray, floor: float) -> np.ndarray:
+    return (1 - floor) * probabilities + floor / len(probabilities) if floor else probabilities
 
 
 def _leading_on(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
@@ -60,3 +61,16 @@ def taken_gradient(probabilities: np.ndarray, chosen: int, value: float, importa
     """The same at the action taken alone, value * pi(s, a)^k (1 - pi(s, a)). With `importance` k = 0 that is the
     gradient divided by the action's probability (the paper's footnote 2), which makes up for its being drawn by it."""
     return functional_gradient(probabilities, chosen, value, importance)[chosen]
+
+
+def comparison_gradient(potentials: np.ndarray, best: int, losses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The gradient, and the curvature, of sum_b losses_b log sigma(Psi(a) - Psi(b)) / sqrt(n) in the potentials of a
+    state's actions, shape (actions,) each: the first `best` of them are better than each of the n others b, which lose
+    `losses`, shape (n,), against them. The a that is compared is the one of the highest potential; equal ones share."""
+    better, worse = potentials[:best], potentials[best:]
+    share = (better == better.max()).astype(float)
+    share /= share.sum()
+    wrong = 1 / (1 + np.exp(np.clip(better.max() - worse, -50, 50)))
+    pull = losses * wrong / math.sqrt(len(losses))
+    bend = pull * (1 - wrong)
+    return np.concatenate([pull.sum() * share, -pull]), np.concatenate([bend.sum() * share, bend])

@@ -86,7 +86,18 @@ class Options(Common):
         low=0,
         high=1,
     )
-    replay: int = option(0, "earlier rewarded steps that each tree learns from again, under the present policy", low=0)
+    imitation: str = option(
+        "no",
+        "what trees learn from: returns, or (self) the shortest ways to the goal that the policy's own episodes have found",
+        choices=("no", "self"),
+    )
+    floor: float = option(0.0, "share of the policy's actions in training that are drawn uniformly", low=0, high=1)
+    replay: int = option(
+        0,
+        "earlier steps that each tree learns from again, under the present policy: the last ones that were rewarded; in "
+        "self-imitation states drawn from all that have been met",
+        low=0,
+    )
     regressor: str = option("tilde", "what fits the trees: TILDE, or CART by scikit-learn", choices=("tilde", "cart"))
     models: str = option(
         "one",

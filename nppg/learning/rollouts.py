@@ -52,7 +52,10 @@ def _played(
 ) -> Played:
     problem = curriculum.draw(rng, opened) if curriculum else None
     start = None if problem is None else policy.domain.problem(problem)
-    episode = generate_episode(policy, rng, options.guidance, options.horizon_factor, learning=True, start=start)
+    floor = options.floor if isinstance(options, Options) else 0.0
+    episode = generate_episode(
+        policy, rng, options.guidance, options.horizon_factor, learning=True, start=start, floor=floor
+    )
     return Played(episode, problem)
 
 

@@ -2,30 +2,20 @@
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
-from nppg.answers.table import Table, TestTable
 from nppg.bias.language_bias import LanguageBias
-from nppg.learning.critic import critic
+from nppg.learning.courses import course_of
 from nppg.learning.curriculum import curriculum_of
-from nppg.learning.episode import Episode, Step
-from nppg.learning.gradient import functional_gradient, taken_gradient
-from nppg.learning.line_search import step_size
+from nppg.learning.episode import Episode
 from nppg.learning.options import Options
-from nppg.learning.regressors import Examples, regressor
 from nppg.learning.rollouts import are_many, iterations_episodes, training_episodes
-from nppg.learning.visits import Visit, kept, normalised, revisited
 from nppg.policy.policy import Policy
-from nppg.trees.tilde import Newton, size_of
 from nppg.trees.tree import leaves
 from nppg.worlds.domain import Domain
-from nppg.worlds.world import Action, State
-
-_LARGE = 200  # a table of more tests is asked about steps that trees learn from alone: most teach nothing
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,46 +27,6 @@ class Iteration:
     episodes: int
     recent: tuple[Episode, ...]
     stage: str = ""
-
-
-def updated_actions(step: Step, options: Options) -> slice:
-    """Which of a step's actions get an example."""
-    return slice(None) if options.update == "all" else slice(step.chosen, step.chosen + 1)
-
-
-def examples(batch: Sequence[Visit], options: Options, trees: int = 0, table: Table | None = None) -> Examples:
-    """The functional gradient at each updated action b (Proposition 3.1); for a second-order step also the curvature
-    |value| pi(s, b) (1 - pi(s, b)), and lambda as it is after so many trees. The answers are those of the steps; where
-    a table is given, its own, which are asked for now."""
-    states: list[State] = []
-    actions: list[Action] = []
-    answers, gradients, curvatures = [], [], []
-    importance = options.importance
-    assert importance is not None
-    for step, value, _ in batch:
-        updated, probabilities = updated_actions(step, options), step.probabilities
-        if options.update == "all":
-            gradients.append(functional_gradient(probabilities, step.chosen, value, importance))
-        else:
-            gradients.append(np.array([taken_gradient(probabilities, step.chosen, value, importance)]))
-        curvatures.append((abs(value) * probabilities * (1 - probabilities))[updated])
-        if table is None:
-            answers.append(step.answers[updated])
-        actions += step.actions[updated]
-        states += [step.state] * len(gradients[-1])
-    if table is not None:
-        pairs = [(step.state, step.actions[updated_actions(step, options)]) for step, *_ in batch]
-        answers.append(table.answers_in(pairs))
-    regularisation = options.regularisation * (1 + options.regularisation_growth * trees)
-    newton = Newton(np.concatenate(curvatures), regularisation, options.clip)
-    return Examples(
-        states,
-        actions,
-        np.concatenate(answers),
-        np.concatenate(gradients),
-        newton if options.step == "second-order" else None,
-        size_of(np.array([value for _, value, _ in batch])),
-    )
 
 
 def wanted(trees: int, options: Options) -> float:
@@ -98,13 +48,9 @@ def train(
     A policy asks what its trees test. It shares the learner's table, so that its steps have the answers that trees are
     grown from, unless that is large."""
     options = options or Options()
-    learner, judge = regressor(domain, bias, options), critic(domain, bias, options)
-    late = isinstance(learner.table, TestTable) and len(learner.table) > _LARGE and not options.replay
-    policy = Policy(domain, bias, None if late else learner.table)
-    memory: deque[Visit] = deque(maxlen=options.replay)
-    batch: list[Visit] = []
+    course = course_of(domain, bias, options)
+    policy = Policy(domain, bias, course.table)
     recent: list[Episode] = []
-    gathered = 0
     curriculum = curriculum_of(domain) if options.curriculum == "yes" else None
     yield Iteration(policy, 0, (), str(curriculum or ""))
     if are_many(options):
@@ -113,24 +59,16 @@ def train(
         episodes = training_episodes(policy, np.random.default_rng(options.seed), options, curriculum)
     for count, episode in enumerate(episodes, 1):
         recent.append(episode)
-        new = judge.visits(episode)
-        gathered += sum(len(visit.step.actions[updated_actions(visit.step, options)]) for visit in kept(new, options))
-        batch += new
-        grown = len(policy.trees)
-        enough = gathered > wanted(grown, options)
+        course.hear(episode)
+        gathered = course.gathered
+        enough = gathered > wanted(len(policy.trees), options)
         last = count == options.episodes or is_over()
         if not last and not (enough and len(recent) >= options.episodes_per_iteration):
             continue
-        if enough:
-            learned = normalised(kept(batch, options), options)
-            replayed = [revisited(visit, policy) for visit in memory]
-            made = examples([*replayed, *learned], options, grown, learner.table if late else None)
-            tree = learner.fit(made)
-            eta = step_size(tree, learned, policy, options)
-            memory.extend(visit for visit in learned if visit.value != 0)
+        if enough and (grown := course.tree(policy)):
+            tree, eta = grown
             policy.add(tree, eta, f"step size {eta}, {gathered} examples, {leaves(tree)} leaves")
-            judge.learn(batch)
         yield Iteration(policy, count, tuple(recent), str(curriculum or ""))
         if last:
             return
-        batch, recent, gathered = [], [], 0
+        recent = []

@@ -1,0 +1,183 @@
+"""What the trees of a policy are grown from: the returns of its episodes, or the best ways that these have found."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+from typing import Protocol
+
+import numpy as np
+
+from nppg.answers.table import Table, TestTable
+from nppg.bias.language_bias import LanguageBias
+from nppg.errors import NppgError
+from nppg.learning.critic import critic
+from nppg.learning.episode import Episode, Step
+from nppg.learning.experience import Comparison, Experience, Ways, pairs_of
+from nppg.learning.gradient import comparison_gradient, functional_gradient, taken_gradient
+from nppg.learning.line_search import step_size
+from nppg.learning.options import Options
+from nppg.learning.regressors import Examples, regressor
+from nppg.learning.visits import Visit, kept, normalised, revisited
+from nppg.policy.policy import Policy
+from nppg.trees.tilde import Newton, size_of
+from nppg.trees.tree import Tree
+from nppg.worlds.domain import Domain
+from nppg.worlds.world import Action, State
+
+_LARGE = 200  # a table of more tests is asked about steps that trees learn from alone: most teach nothing
+_FEWEST = 20  # comparisons that a tree is grown from
+
+
+class Course(Protocol):
+    """Gathers examples from episodes, and makes a tree of them."""
+
+    table: Table | None  # that the policy shares; none where it asks its own trees' tests alone
+    gathered: int  # examples since the last tree
+
+    def hear(self, episode: Episode) -> None:
+        """Learns of an episode."""
+
+    def tree(self, policy: Policy) -> tuple[Tree, float] | None:
+        """The next tree of the policy, and its step size, from what has gathered, which is over then; none where there
+        was nothing to learn in it."""
+
+
+class Returns:
+    """The functional gradient of the returns, or advantages (Kersting and Driessens 2008)."""
+
+    def __init__(self, domain: Domain, bias: LanguageBias, options: Options):
+        self.options = options
+        self.learner, self.judge = regressor(domain, bias, options), critic(domain, bias, options)
+        table = self.learner.table
+        self._late = isinstance(table, TestTable) and len(table) > _LARGE and not options.replay
+        self.table = None if self._late else table
+        self.gathered = 0
+        self._memory: deque[Visit] = deque(maxlen=options.replay)
+        self._batch: list[Visit] = []
+
+    def hear(self, episode: Episode) -> None:
+        new = self.judge.visits(episode)
+        used = (visit.step for visit in kept(new, self.options))
+        self.gathered += sum(len(step.actions[updated_actions(step, self.options)]) for step in used)
+        self._batch += new
+
+    def tree(self, policy: Policy) -> tuple[Tree, float]:
+        learned = normalised(kept(self._batch, self.options), self.options)
+        replayed = [revisited(visit, policy) for visit in self._memory]
+        table = self.learner.table if self._late else None
+        tree = self.learner.fit(examples([*replayed, *learned], self.options, len(policy.trees), table))
+        eta = step_size(tree, learned, policy, self.options)
+        self._memory.extend(visit for visit in learned if visit.value != 0)
+        self.judge.learn(self._batch)
+        self._batch, self.gathered = [], 0
+        return tree, eta
+
+
+class SelfImitation:
+    """The best of what episodes have tried, as if an expert had done it (self-imitation: Oh et al. 2018): in each state
+    that they have met the beginnings of the shortest known ways to the goal are to have a higher potential than what
+    else has been tried there. What has not been tried is not judged.
+
+    So a failed episode teaches as well, as soon as another one has found a way from one of its states; and no action
+    stays certain because the others are never drawn."""
+
+    def __init__(self, domain: Domain, bias: LanguageBias, options: Options):
+        wrong = (
+            "it has no goal" if not domain.has_goal
+            else "its actions are left to chance" if domain.has_chance
+            else "policies do not see its states as they are" if domain.has_observation
+            else ""
+        )
+        if wrong:
+            raise NppgError(f"self-imitation is not for the domain {domain.name}: {wrong}")
+        self.options = options
+        self.learner = regressor(domain, bias, options)
+        self.table = None
+        self.gathered = 0
+        self._experience = Experience()
+        self._rng = np.random.default_rng([options.seed, 1])  # of what is drawn from it
+        self._met: dict[tuple[Ways, int], None] = {}
+
+    def hear(self, episode: Episode) -> None:
+        if episode.steps:
+            ways, numbers = self._experience.hear(episode)
+            self._met.update(dict.fromkeys((ways, number) for number in numbers))
+            self.gathered += sum(len(step.actions) for step in episode.steps)
+
+    def tree(self, policy: Policy) -> tuple[Tree, float] | None:
+        met = self._met | dict.fromkeys(self._experience.draw(self.options.replay, self._rng))
+        self._met, self.gathered = {}, 0
+        found = [ways.comparison(number, self.options.discount) for ways, number in met]
+        comparisons = sorted(filter(None, found), key=lambda each: id(each.state.static))  # type: ignore[union-attr]
+        if len(comparisons) < _FEWEST:
+            return None
+        made = compared(comparisons, policy, self.learner.table, self.options)
+        return self.learner.fit(made), self.options.step_size
+
+
+def course_of(domain: Domain, bias: LanguageBias, options: Options) -> Course:
+    """The one that the options ask for. Raises NppgError where it is not for the domain."""
+    return (SelfImitation if options.imitation == "self" else Returns)(domain, bias, options)
+
+
+def updated_actions(step: Step, options: Options) -> slice:
+    """Which of a step's actions get an example."""
+    return slice(None) if options.update == "all" else slice(step.chosen, step.chosen + 1)
+
+
+def examples(batch: Sequence[Visit], options: Options, trees: int = 0, table: Table | None = None) -> Examples:
+    """The functional gradient at each updated action b (Proposition 3.1); for a second-order step also the curvature
+    |value| pi(s, b) (1 - pi(s, b)), and lambda as it is after so many trees. The answers are those of the steps; where
+    a table is given, its own, which are asked for now."""
+    states: list[State] = []
+    actions: list[Action] = []
+    answers, gradients, curvatures = [], [], []
+    importance = options.importance
+    assert importance is not None
+    for step, value, _ in batch:
+        updated, probabilities = updated_actions(step, options), step.probabilities
+        if options.update == "all":
+            gradients.append(functional_gradient(probabilities, step.chosen, value, importance))
+        else:
+            gradients.append(np.array([taken_gradient(probabilities, step.chosen, value, importance)]))
+        curvatures.append((abs(value) * probabilities * (1 - probabilities))[updated])
+        if table is None:
+            answers.append(step.answers[updated])
+        actions += step.actions[updated]
+        states += [step.state] * len(gradients[-1])
+    if table is not None:
+        pairs = [(step.state, step.actions[updated_actions(step, options)]) for step, *_ in batch]
+        answers.append(table.answers_in(pairs))
+    return Examples(
+        states,
+        actions,
+        np.concatenate(answers),
+        np.concatenate(gradients),
+        _newton(np.concatenate(curvatures), options, trees),
+        size_of(np.array([value for _, value, _ in batch])),
+    )
+
+
+def compared(comparisons: Sequence[Comparison], policy: Policy, table: Table, options: Options) -> Examples:
+    """The gradient of what comparisons say about a policy, and its curvature; the answers are those of the table."""
+    pairs = pairs_of(comparisons)
+    potentials = policy.potentials_of(policy.table.answers_in(pairs))
+    ends = np.cumsum([len(each.actions) for each in comparisons])[:-1]
+    found = [
+        comparison_gradient(own, each.best, each.losses)
+        for own, each in zip(np.split(potentials, ends), comparisons, strict=True)
+    ]
+    return Examples(
+        [each.state for each in comparisons for _ in each.actions],
+        [action for each in comparisons for action in each.actions],
+        table.answers_in(pairs),
+        np.concatenate([gradient for gradient, _ in found]),
+        _newton(np.concatenate([curvature for _, curvature in found]), options, len(policy.trees)),
+        1.0,
+    )
+
+
+def _newton(curvatures: np.ndarray, options: Options, trees: int) -> Newton | None:
+    regularisation = options.regularisation * (1 + options.regularisation_growth * trees)
+    return Newton(curvatures, regularisation, options.clip) if options.step == "second-order" else None
