@@ -1,1 +1,1 @@
-"""What a domain's own words do not say: predicates derived from its types and clauses, and which of them are worth testing."""
+"""Predicates that a domain does not have and policies want to test, derived from its types and its actions."""

@@ -1,5 +1,5 @@
-"""Whether there is enough of something: numbers of objects compared with each other, for a threshold on one of them does
-not hold in larger problems."""
+"""Whether there is enough of something: numbers of objects compared with each other, for a threshold on one of them
+does not hold in larger problems."""
 
 from __future__ import annotations
 

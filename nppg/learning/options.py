@@ -94,7 +94,7 @@ class Options(Common):
     )
     imitation: str = option(
         "no",
-        "what trees learn from: returns, or (self) the shortest ways to the goal that the run's own episodes have found",
+        "what trees learn from: returns, or (self) the shortest ways to the goal that the run's own episodes know",
         choices=("no", "self"),
     )
     floor: float = option(0.0, "share of the policy's actions in training that are drawn uniformly", low=0, high=1)

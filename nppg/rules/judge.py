@@ -249,7 +249,7 @@ def in_domain(policy: Policy, domain: Domain) -> Policy:
 
 def _trials(policy: Policy, domain: Domain) -> list[Trial]:
     """Start states of all sizes, the smallest first, with what the policy does there."""
-    found = []
+    found: list[Trial] = []
     rng = np.random.default_rng(0)
     for name, start in by_size(domain, rng):
         if domain.situation(start).status == "running":
