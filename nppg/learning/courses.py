@@ -12,7 +12,7 @@ from nppg.answers.table import Table, TestTable
 from nppg.bias.language_bias import LanguageBias
 from nppg.errors import NppgError
 from nppg.learning.critic import critic
-from nppg.learning.detours import detour
+from nppg.learning.detours import detours
 from nppg.learning.episode import Episode, Step
 from nppg.learning.experience import Comparison, Experience, Ways, pairs_of
 from nppg.learning.gradient import comparison_gradient, functional_gradient, taken_gradient
@@ -104,16 +104,17 @@ class SelfImitation:
         if episode.steps:
             ways, numbers = self._experience.hear(episode)
             self._met.update(dict.fromkeys((ways, number) for number in numbers))
-            self.gathered += sum(len(step.actions) for step in episode.steps)
+            self.gathered += len(episode.steps)
 
     def tree(self, policy: Policy) -> tuple[Tree, float] | None:
-        met = self._met | dict.fromkeys(self._experience.draw(self.options.replay, self._rng))
+        met: dict[Ways, dict[int, None]] = {}  # by problem, which is expensive to change
+        for ways, number in (*self._met, *self._experience.draw(self.options.replay, self._rng)):
+            met.setdefault(ways, {})[number] = None
         self._met, self.gathered = {}, 0
-        for ways, number in met:
-            for _ in range(self.options.detours):
-                detour(ways, number, policy, self._rng)
-        found = [ways.comparison(number, self.options.discount) for ways, number in met]
-        comparisons = sorted(filter(None, found), key=lambda each: id(each.state.static))
+        for ways, numbers in met.items():
+            detours(ways, list(numbers) * self.options.detours, policy, self._rng)
+        found = [ways.comparison(each, self.options.discount) for ways, numbers in met.items() for each in numbers]
+        comparisons = [each for each in found if each]
         if len(comparisons) < _FEWEST:
             return None
         made = compared(comparisons, policy, self.learner.table, self.options)

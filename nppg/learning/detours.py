@@ -4,6 +4,8 @@ A detour ends where it comes to a state from which a way is known, mostly at onc
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
+
 import numpy as np
 
 from nppg.learning.experience import Ways
@@ -13,12 +15,18 @@ from nppg.worlds.state import interpretation_of
 _SPARE = 10  # steps that a detour may take beyond the known way
 
 
-def detour(ways: Ways, number: int, policy: Policy, rng: np.random.Generator) -> None:
-    """Tries an action that has not been tried in a state from which a way is known, and goes on as the policy does, for
-    no longer than there and back."""
+def detours(ways: Ways, numbers: Iterable[int], policy: Policy, rng: np.random.Generator) -> None:
+    """Tries in each of these states an action that has not been tried there, where one is left and a way is known from
+    it, and goes on as the policy does, for no longer than there and back."""
     known = ways.distances
+    for number in numbers:
+        if number in known:
+            _detour(ways, number, known, policy, rng)
+
+
+def _detour(ways: Ways, number: int, known: Mapping[int, int], policy: Policy, rng: np.random.Generator) -> None:
     legal, tried = ways.legal[number], ways.tried[number]
-    if legal is None or number not in known or len(tried) == len(legal):
+    if legal is None or len(tried) == len(legal):
         return
     untried = [action for action in legal if action not in tried]
     action, domain = untried[int(rng.random() * len(untried))], policy.domain

@@ -130,8 +130,8 @@ def _from_met(
     wanted = Worth(1.0, _KEPT) if isinstance(judge, PlayedJudge) else judge.wanted()
     found: list[list[Rule]] = []
     for _ in range(_ROUNDS):
-        for good, apart in product(GOOD, (False, True) if kinds_of_actions(bias) else (False,)):
-            found += _grown(preferences, bias, refiner, judge, wanted, good, apart, until)
+        for share, apart in product(GOOD, (False, True) if kinds_of_actions(bias) else (False,)):
+            found += _grown(preferences, bias, refiner, judge, wanted, share, apart, until)
         best = max(found, key=judge.worth)
         if judge.reaches(best, wanted) or not isinstance(judge, PlayedJudge) or time.process_time() > until:
             break
