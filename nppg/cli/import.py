@@ -7,7 +7,7 @@ from pathlib import Path
 
 from nppg.answers.coverage import root_table
 from nppg.bias.refinement import Refiner
-from nppg.errors import NppgError, Problem
+from nppg.cli.writing import write_new
 from nppg.worlds.pddl_domain import import_domain
 
 
@@ -24,19 +24,7 @@ def run(options: argparse.Namespace) -> int:
     bias = domain.language_bias()
     folder = options.output or Path(domain.name)
     files = {domain.path.name: domain.source, Path(bias.file).name: bias.source, **domain.companions}
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        others = [
-            folder / name
-            for name, source in files.items()
-            if (folder / name).exists() and (folder / name).read_bytes() != source
-        ]
-        if others:
-            raise NppgError(Problem(str(file), 0, 0, "exists already and is left as it is") for file in others)
-        for name, source in files.items():
-            (folder / name).write_bytes(source or b"")
-    except OSError as error:
-        raise NppgError([Problem(str(folder), 0, 0, f"cannot be written to: {error.strerror}")]) from None
+    write_new(folder, files)
     tests = len(root_table(domain, bias, Refiner(bias)))
     print(f"written to {folder}/: {', '.join(files)}; {tests} tests, {len(domain.problems)} problems")
     print(f"next: nppg check {folder / domain.path.name}, then nppg train {folder / domain.path.name}")

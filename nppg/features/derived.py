@@ -49,12 +49,17 @@ class Words:
 
     @classmethod
     def of(
-        cls, bias: Declared, fluents: Iterable[tuple[str, int]], static: Iterable[tuple[str, int]], taken: Iterable[str]
+        cls,
+        bias: Declared,
+        fluents: Iterable[tuple[str, int]],
+        static: Iterable[tuple[str, int]],
+        predicates: Iterable[tuple[str, int]],
     ) -> Words:
-        """Those of a language bias, for the fluents and static predicates of its domain."""
+        """Those of a language bias, for the fluents, the static ones and all predicates of its domain."""
         actions = {action.name for action in bias.actions}
         types = {name: own for name, own in bias.types.items() if name not in actions}
-        return cls(types, {name for name, _ in fluents}, {name for name, _ in static}, bias.subtypes, {*taken, *types})
+        changing, lasting, taken = ({name for name, _ in each} for each in (fluents, static, predicates))
+        return cls(types, changing, lasting, bias.subtypes, taken | {*types})
 
     def fits(self, type_: str, other: str) -> bool:
         """Whether an object may be of both types."""

@@ -10,6 +10,7 @@ from nppg.bias.names import atom
 from nppg.bias.refinement import KIND, Refiner
 from nppg.logic.query import Literal
 from nppg.pddl.bias_modes import GROUPS, Signature, Tested, action_types, equalities, modes, signatures, supertypes
+from nppg.pddl.effects_text import features
 from nppg.pddl.hierarchy import above
 from nppg.pddl.model import Domain
 from nppg.pddl.names import Names
@@ -32,8 +33,12 @@ modes:
 lookahead: 1
 max_variables: 4
 tree: {{max_depth: 4, min_examples: 2}}
-options: {{step: second-order, discount: 0.95, min_examples: 500}}
+options: {options}
 """
+
+# Of worlds where an action has one outcome and the goal is all that is wanted, and of others.
+_WAYS = "{imitation: self, step: second-order, discount: 0.95, floor: 0.1, replay: 200, min_examples: 200}"
+_RETURNS = "{step: second-order, discount: 0.95, min_examples: 500}"
 
 
 def bias_text(domain: Domain, names: Names, goal_predicates: Iterable[str], most_tests: int = MOST_TESTS) -> str:
@@ -75,7 +80,7 @@ def _root_tests(text: str, most: int) -> int:
 def _text(
     domain: Domain, names: Names, all_signatures: Sequence[Signature], chosen: Sequence[Tested], count: int
 ) -> str:
-    number = _number(names)
+    number, does = _number(names), features(domain)
     tested = {mode.name for mode in chosen}
     kept = [each for each in all_signatures if each.name in tested]
     actions = [(names.actions[action.name], action_types(domain, action)) for action in domain.actions]
@@ -105,6 +110,7 @@ def _text(
         subtypes=subtypes,
         types=types,
         modes="\n".join(lines),
+        options=_RETURNS if does.chance or does.reward else _WAYS,
     )
 
 

@@ -63,7 +63,9 @@ class Preferences:
                 continue
             self._met.add(key)
             share = best(potentials).astype(float) if self.policy.greedy else np.exp(potentials - potentials.max())
-            kept = np.arange(len(share)) if most is None or len(share) <= _ACTIONS else self._kept(share)
+            kept: Sequence[int] = range(len(share))
+            if most is not None and len(share) > _ACTIONS:
+                kept = self._kept(share).tolist()
             self.first.append(len(self.actions))
             self.states += [state] * len(kept)
             self.actions += [legal[i] for i in kept]

@@ -1,14 +1,16 @@
-"""Derived predicates that are worth testing in a domain, as its problems show them."""
+"""Derived predicates that are worth testing in a domain, as its start states show them."""
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.features.derived import Derived, Words
-from nppg.features.selection import candidates, extensions
+from nppg.features.selection import candidates, extensions, text
 from nppg.worlds.domain import Domain
 from nppg.worlds.world import State
 
@@ -16,19 +18,18 @@ _STARTS = 20  # from which states are drawn
 _STEPS = 60  # from each of them
 
 
-def derived(domain: Domain, bias: LanguageBias) -> list[Derived]:
-    """Those of a domain that has none yet."""
-    names = {name for name, _ in domain.predicates}
-    return candidates(domain.module, bias, Words.of(bias, domain.fluents, domain.static, names))
-
-
-def telling(domain: Domain, found: Sequence[Derived]) -> list[Derived]:
-    """Those that tell something in states that random actions lead to, and nothing that an earlier one tells. The
-    domain has their clauses."""
+def worth_testing(domain: Domain, bias: LanguageBias) -> list[Derived]:
+    """Those that tell something in states that random actions lead to, and nothing that an earlier one tells. Raises
+    NppgError."""
+    found = candidates(domain.module, bias, Words.of(bias, domain.fluents, domain.static, domain.predicates))
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder, domain.path.name)
+        file.write_bytes(domain.source + text(found).encode())
+        other = Domain(file, domain.given)
     seen: list[list[str | int]] = []
-    for state in _states(domain):
-        domain.visit(state)
-        seen.append(extensions(domain.module, found))
+    for state in _states(other, _starts(domain)):
+        other.visit(state)
+        seen.append(extensions(other.module, found))
     kept: dict[tuple, Derived] = {}
     for each, answers in zip(found, zip(*seen, strict=True), strict=True):
         if any(answers) and (each.types or not all(answers)):
@@ -36,11 +37,17 @@ def telling(domain: Domain, found: Sequence[Derived]) -> list[Derived]:
     return list(kept.values())
 
 
-def _states(domain: Domain) -> Iterator[State]:
+def _starts(domain: Domain) -> list[State]:
+    chosen, rng = domain.chosen, np.random.default_rng(0)
+    if not chosen:
+        return [domain.start(rng) for _ in range(_STARTS)]
+    places = np.linspace(0, len(chosen) - 1, min(len(chosen), _STARTS)).astype(int)
+    return [domain.problem(chosen[place]) for place in places]
+
+
+def _states(domain: Domain, starts: Sequence[State]) -> Iterator[State]:
     rng = np.random.default_rng(0)
-    chosen = domain.chosen
-    starts = [domain.problem(chosen[i]) for i in np.linspace(0, len(chosen) - 1, min(len(chosen), _STARTS)).astype(int)]
-    for start in starts or [domain.start(rng) for _ in range(_STARTS)]:
+    for start in starts:
         state = start
         for _ in range(_STEPS):
             status, actions = domain.situation(state)

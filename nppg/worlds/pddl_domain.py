@@ -25,7 +25,7 @@ from nppg.pddl.names import Names, names_of
 from nppg.pddl.opening_text import module_name
 from nppg.pddl.problem_data import problem_data
 from nppg.pddl.reader import read_domain, read_problem
-from nppg.worlds.deriving import derived, telling
+from nppg.worlds.deriving import worth_testing
 from nppg.worlds.domain import Domain
 from nppg.worlds.problems import Problems
 from nppg.worlds.state import Interpretation, Static, standard_order
@@ -162,8 +162,7 @@ def import_domain(
     text = domain_text(pddl, names, wanted, _sizes(read))
     domain = _loaded(text, pddl, parameters, read)
     if read:
-        found = derived(domain, domain.language_bias())
-        chosen = telling(_loaded(text + clauses_of(found), pddl, parameters, read), found)
+        chosen = worth_testing(domain, domain.language_bias())
         domain = _loaded(text + clauses_of(chosen), pddl, parameters, read)
         domain.derived = chosen
     return domain
