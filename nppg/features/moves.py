@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import product
 
-from nppg.features.derived import TODO, Derived, Words, named, typed
+from nppg.features.derived import GOAL, TODO, Derived, Words, named, typed
 from nppg.features.schemas import Schema, variables_of
 from nppg.pddl.clauses import Clause, Infix, Negated, Part, Term, Var, clause_text
 
@@ -176,7 +176,8 @@ def _wanted(words: Words, each: Moves, todo: str) -> tuple[Derived, tuple[int, .
 
 
 def _purposes(words: Words, schema: Schema) -> Iterator[tuple[str, tuple[Part, ...]]]:
-    """What is left to do that an action has to do with: none in particular, what it does, what is about its objects."""
+    """What is left to do that an action has to do with: none in particular, what it does, what is about its objects, or
+    about objects that static facts relate to these."""
     yield "", ()
     seen: set[tuple] = set()
     names: set[str] = set()
@@ -203,6 +204,26 @@ def _purposes(words: Words, schema: Schema) -> Iterator[tuple[str, tuple[Part, .
                 name = f"{base}_{number}"
             names.add(name)
             yield name, (Term(todo, args),)
+    for relation, (one, other) in _static_relations(words):
+        for var, own in schema.types.items():
+            for todo, types in words.todo.items():
+                for place, type_ in enumerate(types):
+                    for kind, back in ((one, False), (other, True)):
+                        if not words.fits(own, kind) or not words.fits(type_, one if back else other):
+                            continue
+                        x = typed(type_)
+                        args = tuple(x if i == place else typed(each) for i, each in enumerate(types))
+                        name = named("through", relation, "back" if back else "", "for", todo, str(place + 1), own)
+                        if name not in names:
+                            names.add(name)
+                            yield name, (Term(relation, (x, var) if back else (var, x)), Term(todo, args))
+
+
+def _static_relations(words: Words) -> Iterator[tuple[str, tuple[str, str]]]:
+    """Those between objects of two types."""
+    for name, types in words.types.items():
+        if name in words.static and not name.startswith(GOAL) and len(types) == 2 and not words.fits(*types):
+            yield name, (types[0], types[1])
 
 
 def toward(way: Ways, target: Derived, along: tuple[int, ...]) -> Derived:
