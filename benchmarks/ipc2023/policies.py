@@ -26,7 +26,8 @@ def learn(setting: Setting, domain: str, seed: int) -> None:
     if setting.results.has(**key):
         return
     folder, problems = setting.folder(domain, seed), map(str, setting.training(domain))
-    command = ["train", f"{domain}/domain.pddl", "--seed", str(seed), "--seconds", str(setting.learn_seconds)]
+    limits = ["--seconds", str(setting.learn_seconds), "--episodes", "1000000"]
+    command = ["train", f"{domain}/domain.pddl", "--seed", str(seed), *limits]
     done = run(
         _nppg(*command, "--jobs", "1", "--evaluate-every", "0", "--output", str(folder), "--problems", *problems),
         setting.data,
@@ -68,7 +69,8 @@ def act(setting: Setting, part: str, domain: str, seed: int) -> None:
         if setting.results.has(**key) or not (folder / MODELS[part]).exists():
             continue
         limits = {"limit": setting.seconds, "gigabytes": setting.gigabytes}
-        command = _nppg("evaluate", MODELS[part], "--json", "--seconds", str(setting.seconds), *_SEARCH.get(part, ()))
+        limit = ["--seconds", str(setting.seconds), "--horizon-factor", "2"]
+        command = _nppg("evaluate", MODELS[part], "--json", *limit, *_SEARCH.get(part, ()))
         done = run([*command, "--problems", str(task.path)], folder, setting.seconds + 5, setting.gigabytes)
         line = setting.results.add({**key, **attempted(done, setting.seconds), **limits})
         print(*key.values(), line["ended"], line["cost"], line["seconds"], line["processor"], flush=True)

@@ -139,9 +139,9 @@ def targets(words: Words, all_schemas: Iterable[Schema], each: Moves) -> Iterato
         if all(term.name == each.fluent for term in schema.added):
             continue
         for literal in schema.literals:
-            if literal.name != each.fluent or not isinstance(literal.args[each.place], Var):
+            if literal.name != each.fluent or len(literal.args) != len(each.types) + 1:
                 continue
-            z = literal.args[each.place]
+            z = literal.args[each.place]  # a variable, or the one place where the action can be taken
             others = [arg for i, arg in enumerate(literal.args) if i != each.place]
             if not all(
                 isinstance(arg, Var) and words.fits(schema.types.get(arg, type_), type_)
@@ -153,10 +153,10 @@ def targets(words: Words, all_schemas: Iterable[Schema], each: Moves) -> Iterato
                 body = (*first, *rest)
                 if not first:
                     bound = set(variables_of(rest))
-                    new = [term for term in schema.added if set(variables_of([term])) <= bound | {z, *others}]
+                    new = [term for term in schema.added if set(variables_of([term])) <= {*bound, z, *others}]
                     body = (*rest, *(Negated((term,)) for term in new[:1]))
                 used = set(variables_of(body))
-                if z not in used:
+                if isinstance(z, Var) and z not in used:
                     continue
                 along = tuple(i for i, arg in enumerate(others) if arg in used)
                 called = named("could", title, name)

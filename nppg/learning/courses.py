@@ -110,9 +110,11 @@ class SelfImitation:
         met: dict[Ways, dict[int, None]] = {}  # by problem, which is expensive to change
         for ways, number in (*self._met, *self._experience.draw(self.options.replay, self._rng)):
             met.setdefault(ways, {})[number] = None
+        left = self.options.detours * self.gathered
         self._met, self.gathered = {}, 0
-        for ways, numbers in met.items():
-            detours(ways, list(numbers) * self.options.detours, policy, self._rng)
+        problems = list(met)
+        for at in self._rng.permutation(len(problems)).tolist():
+            left -= detours(problems[at], list(met[problems[at]]), policy, self._rng, left)
         found = [ways.comparison(each, self.options.discount) for ways, numbers in met.items() for each in numbers]
         comparisons = [each for each in found if each]
         if len(comparisons) < _FEWEST:

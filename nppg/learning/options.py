@@ -98,9 +98,9 @@ class Options(Common):
         choices=("no", "self"),
     )
     floor: float = option(0.0, "share of the policy's actions in training that are drawn uniformly", low=0, high=1)
-    detours: int = option(
-        1,
-        "in self-imitation, other actions that are tried in each state that a tree learns from, to be compared",
+    detours: float = option(
+        1.0,
+        "in self-imitation, steps of trying other actions in states that were met, as a share of those of episodes",
         low=0,
     )
     replay: int = option(

@@ -140,6 +140,14 @@ def equalities(domain: Domain) -> list[str]:
     return list(found)
 
 
+def constants(domain: Domain) -> dict[str, list[str]]:
+    """The domain's own objects, by type."""
+    found: dict[str, list[str]] = {}
+    for each in domain.constants:
+        found.setdefault(common(domain, each.types), []).append(each.name)
+    return found
+
+
 def _differ(parts: Iterable[Formula], one: str, other: str) -> bool:
     """Whether two variables cannot be the same: one is what the other is not."""
     parts = list(parts)

@@ -6,10 +6,20 @@ import warnings
 from collections.abc import Iterable, Sequence
 
 from nppg.bias.language_bias import LanguageBias
-from nppg.bias.names import atom
+from nppg.bias.names import atom, written
 from nppg.bias.refinement import KIND, Refiner
 from nppg.logic.query import Literal
-from nppg.pddl.bias_modes import GROUPS, Signature, Tested, action_types, equalities, modes, signatures, supertypes
+from nppg.pddl.bias_modes import (
+    GROUPS,
+    Signature,
+    Tested,
+    action_types,
+    constants,
+    equalities,
+    modes,
+    signatures,
+    supertypes,
+)
 from nppg.pddl.effects_text import features
 from nppg.pddl.hierarchy import above
 from nppg.pddl.model import Domain
@@ -94,6 +104,7 @@ def _text(
     ]
     lines = [_mode(mode) for mode in chosen]
     lines += [f"  - equal(+{names.types[type_]}, +{names.types[type_]})" for type_ in same]
+    lines += [_constants(names.types[type_], own) for type_, own in constants(domain).items() if type_ in used]
     lines += [f'  - "+{number} =< #"'] if any(mode.family == "number" for mode in chosen) else []
     subtypes = "\n".join(["", "subtypes:", *above_used, ""]) if above_used else ""
     types = "\n".join(
@@ -116,6 +127,10 @@ def _text(
 
 def _inputs(names: Names, types: Iterable[str]) -> list[str]:
     return [f"+{names.types[type_]}" for type_ in types]
+
+
+def _constants(type_: str, found: Sequence[str]) -> str:
+    return f"  - equal(+{type_}, [{', '.join(map(written, found))}])"
 
 
 def _mode(mode: Tested) -> str:
