@@ -49,4 +49,5 @@ def _end(node: yaml.Node | tuple[yaml.Node, yaml.Node]) -> int:
     """Where a node ends; one in block style has what follows up to the next one in its own mark."""
     if isinstance(node, tuple):
         return max(map(_end, node))
-    return _end(node.value[-1]) if isinstance(node, yaml.CollectionNode) and not node.flow_style else node.end_mark.index
+    is_block = isinstance(node, yaml.CollectionNode) and not node.flow_style
+    return _end(node.value[-1]) if is_block else node.end_mark.index

@@ -54,9 +54,7 @@ def _sets(words: Words, literals: Iterable[Term], var: Var) -> list[Set]:
 
 
 def _called(words: Words, asked: Iterable[tuple[str, int]]) -> str:
-    return "_".join(
-        named(name, str(place + 1) if len(words.types[name]) > 1 else "") for name, place in asked
-    )
+    return "_".join(named(name, str(place + 1) if len(words.types[name]) > 1 else "") for name, place in asked)
 
 
 def _count(words: Words, each: Set) -> Derived:

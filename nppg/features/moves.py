@@ -248,8 +248,6 @@ def toward(way: Ways, target: Derived, along: tuple[int, ...]) -> Derived:
     )
 
 
-
-
 def _helper(
     name: str, args: tuple[Part, ...], body: tuple[Part, ...], needs: tuple[Derived, ...], tabled: bool = False
 ) -> Derived:

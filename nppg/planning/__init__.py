@@ -1,7 +1,7 @@
 """nppg's policies as a planner of unified-planning; importing this package registers it under the name nppg.
 
     import nppg.planning
-    OneshotPlanner(name="nppg", params={"model": "runs/ferry/model.pl"})
+    OneshotPlanner(name="nppg", params={"model": "runs/library/model.pl"})
 
 It is chosen by its name alone, since it needs a model. Where nothing shall be imported, a file up.ini does the same:
 

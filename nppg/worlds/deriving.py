@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
+from nppg.errors import NppgError
 from nppg.features.derived import Derived, Words
 from nppg.features.selection import candidates, extensions, text
 from nppg.worlds.domain import Domain
@@ -25,16 +27,25 @@ def worth_testing(domain: Domain, bias: LanguageBias) -> list[Derived]:
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, domain.path.name)
         file.write_bytes(domain.source + text(found).encode())
-        other = Domain(file, domain.given)
-    seen: list[list[str | int]] = []
-    for state in _states(other, _starts(domain)):
-        other.visit(state)
-        seen.append(extensions(other.module, found))
+        try:
+            seen = _seen(Domain(file, domain.given), _starts(domain), found)
+        except NppgError as error:
+            own = (replace(each, file=str(domain.path)) if each.file == str(file) else each for each in error.problems)
+            raise NppgError(own) from None
     kept: dict[tuple, Derived] = {}
     for each, answers in zip(found, zip(*seen, strict=True), strict=True):
         if any(answers) and (each.types or not all(answers)):
             kept.setdefault((each.types, answers), each)
     return list(kept.values())
+
+
+def _seen(domain: Domain, starts: Sequence[State], found: Sequence[Derived]) -> list[list[str | int]]:
+    """What tells the answers of all of them apart, by state."""
+    seen = []
+    for state in _states(domain, starts):
+        domain.visit(state)
+        seen.append(extensions(domain.module, found))
+    return seen
 
 
 def _starts(domain: Domain) -> list[State]:
