@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from nppg.bias.declarations import Declared
 from nppg.bridge.prolog import ask
@@ -11,11 +12,11 @@ from nppg.features.derived import Derived, Words, with_todo
 from nppg.features.moves import moves, nearer, targets, toward, ways
 from nppg.features.relations import beyond, unsettled
 from nppg.features.schemas import schemas
-from nppg.pddl.clauses import clause_text
+from nppg.pddl.clauses import Term, clause_text, parts
 
 
 def candidates(module: str, bias: Declared, words: Words) -> list[Derived]:
-    """All of a loaded domain, the simple ones first; each name once."""
+    """All of a loaded domain, the simple ones first; each name stands for one predicate."""
     more = with_todo(words)
     if more:
         types = {**words.types, **{each.name: each.types for each in more}}
@@ -37,10 +38,21 @@ def candidates(module: str, bias: Declared, words: Words) -> list[Derived]:
         yield from fewer(words, all_schemas)
 
     found: dict[str, Derived] = {}
-    for each in made():
-        if each.name not in words.taken:
+    clauses: dict[str, list[str]] = {}
+    for one in made():
+        each = replace(one, needs=(*_mentioned(one, more), *one.needs))
+        own = {part.name: list(map(clause_text, part.clauses)) for part in each.all()}
+        if not any(name in words.taken or clauses.get(name, lines) != lines for name, lines in own.items()):
+            clauses |= own
             found.setdefault(each.name, each)
     return list(found.values())
+
+
+def _mentioned(derived: Derived, others: Sequence[Derived]) -> Iterator[Derived]:
+    """Those of the others that its clauses, or those of what it needs, ask for."""
+    clauses = [clause for each in derived.all() for clause in each.clauses]
+    names = {part.name for clause in clauses for part in parts(clause) if isinstance(part, Term)}
+    yield from (each for each in others if each.name in names and each.name != derived.name)
 
 
 def text(chosen: Sequence[Derived]) -> str:
