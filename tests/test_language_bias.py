@@ -542,6 +542,8 @@ def test_the_schema_knows_the_options_of_all_learners() -> None:
         head = {"description": f"{help[0].upper()}{help[1:]}."}
         if "choices" in bounds:
             return head | {"enum": list(bounds["choices"])}
+        if bounds.get("text"):
+            return head | {"type": "string", "minLength": 1}
         most = {"maximum": bounds["high"]} if "high" in bounds else {}
         return head | {"type": "integer" if kind_of(option) is int else "number", "minimum": bounds["low"]} | most
 

@@ -83,7 +83,7 @@ def test_answers_that_are_asked_late_teach_the_same(monkeypatch, delivery, deliv
     """A policy of large tables asks its own tests alone, and the rest is asked about what trees are grown from."""
     policies = []
     for most in (0, 10**6):
-        monkeypatch.setattr("nppg.learning.training._LARGE", most)
+        monkeypatch.setattr("nppg.learning.courses._LARGE", most)
         policies.append(learned(delivery, delivery_bias, episodes=60, min_examples=30, **options))
     late, early = policies
     assert late.trees == early.trees and len(late.trees) > 2

@@ -8,6 +8,7 @@ from pathlib import Path
 from nppg.cli import loading
 from nppg.cli.arguments import add_domain
 from nppg.cli.writing import write_new
+from nppg.errors import NppgError
 from nppg.features.bias_edit import extended
 from nppg.features.selection import text
 from nppg.worlds.deriving import worth_testing
@@ -25,6 +26,8 @@ def run(options: argparse.Namespace) -> int:
     """Prints the derived predicates that tell something in the domain, or writes both files with them. Raises
     NppgError."""
     domain = loading.domain(options)
+    if domain.environment:
+        raise NppgError(f"{domain.path}: an environment of Gymnasium does not say what its actions change")
     bias = loading.bias(options, domain)
     assert bias
     chosen = worth_testing(domain, bias)

@@ -21,6 +21,7 @@ GROUPS = {
         "step", "regularisation", "clip", "importance", "examples_growth", "regularisation_growth", "replay",
         "normalise", "line_search", "ratio_clip",
     ),
+    "imitation of the run's own best episodes": ("imitation", "floor", "detours"),
     "critic": ("critic", "trace", "cut_off", "critic_step_size", "critic_trees"),
     "trees": (
         "regressor", "models", "max_depth", "min_leaf", "min_variance", "significance", "granularity",

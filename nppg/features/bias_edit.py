@@ -37,11 +37,16 @@ def _modes(each: Derived) -> list[str]:
 def _inserted(text: str, node: yaml.CollectionNode, items: Sequence[str], mark: str) -> str:
     """With items at the end of a mapping or a list, in the style that it is written in."""
     if node.flow_style:
-        end = node.end_mark.index - 1
-        before = text[:end].rstrip()
-        comma = "" if before.endswith(("{", "[", ",")) else ", "
-        return f"{before}{comma}{', '.join(items)}{text[end:]}"
-    end = len(text[: node.end_mark.index].rstrip())
-    first = node.value[0][0] if isinstance(node, yaml.MappingNode) else node.value[0]
-    column = first.start_mark.column - len(mark)
-    return text[:end] + "".join(f"\n{' ' * column}{mark}{item}" for item in items) + text[end:]
+        end = _end(node.value[-1]) if node.value else node.start_mark.index + 1
+        return f"{text[:end]}{', ' if node.value else ''}{', '.join(items)}{text[end:]}"
+    end = len(text[: _end(node)].rstrip())
+    end += len(text[end:].split("\n", 1)[0])  # behind a comment
+    indent = " " * node.start_mark.column
+    return text[:end] + "".join(f"\n{indent}{mark}{item}" for item in items) + text[end:]
+
+
+def _end(node: yaml.Node | tuple[yaml.Node, yaml.Node]) -> int:
+    """Where a node ends; one in block style has what follows up to the next one in its own mark."""
+    if isinstance(node, tuple):
+        return max(map(_end, node))
+    return _end(node.value[-1]) if isinstance(node, yaml.CollectionNode) and not node.flow_style else node.end_mark.index

@@ -90,7 +90,7 @@ def with_todo(words: Words) -> tuple[Derived, ...]:
     found = []
     for goal, types in words.types.items():
         now, todo = goal.removeprefix(GOAL), TODO + goal.removeprefix(GOAL)
-        if goal.startswith(GOAL) and words.types.get(now, ()) and todo not in words.taken:
+        if goal.startswith(GOAL) and 0 < len(types) == len(words.types.get(now, ())) and todo not in words.taken:
             args = tuple(map(typed, types))
             clause = Clause(Term(todo, args), (Term(goal, args), Negated((Term(now, args),))))
             found.append(Derived(todo, types, (clause,), unknown=tuple(range(len(types)))))

@@ -40,7 +40,7 @@ def moves(words: Words, all_schemas: Iterable[Schema]) -> list[Moves]:
     found: dict[tuple[str, int], Moves] = {}
     for schema in all_schemas:
         for gone, new in product(schema.deleted, schema.added):
-            if gone.name != new.name or len(gone.args) != len(new.args) or str(gone.name) not in words.types:
+            if gone.name != new.name or not len(gone.args) == len(new.args) == len(words.types.get(str(gone.name), ())):
                 continue
             changed = [i for i, (one, other) in enumerate(zip(gone.args, new.args, strict=True)) if one != other]
             if len(changed) != 1:
@@ -132,7 +132,7 @@ def targets(words: Words, all_schemas: Iterable[Schema], each: Moves) -> Iterato
     action of a kind or one that has to do with what is left to do. Each with the moving arguments that it depends on,
     which come first, and the place last."""
     todo = TODO + each.fluent
-    if todo in words.types:
+    if len(words.types.get(todo, ())) == len(each.types) + 1:
         yield _wanted(words, each, todo)
     for schema in all_schemas:
         title = str(schema.action.name)
@@ -183,7 +183,7 @@ def _purposes(words: Words, schema: Schema) -> Iterator[tuple[str, tuple[Part, .
     names: set[str] = set()
     for term in schema.added:
         todo = f"{TODO}{term.name}"
-        if todo in words.types:
+        if len(words.types.get(todo, ())) == len(term.args) > 0:
             seen.add((todo, term.args))
             yield todo, (Term(todo, term.args),)
     for todo, types in words.todo.items():

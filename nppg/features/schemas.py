@@ -50,7 +50,7 @@ def schemas(module: str, bias: Declared, words: Words) -> list[Schema]:
         found.append(
             Schema(
                 head,
-                tuple(rest[:first]),
+                tuple(goal for goal in rest[:first] if goal != Term("!")),
                 tuple(each for each in rest[first:second] if isinstance(each, Term)),
                 tuple(each for each in rest[second:] if isinstance(each, Term)),
                 {var: kinds[number] for number, var in variables.items() if number in kinds},

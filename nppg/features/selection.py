@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from nppg.bias.declarations import Declared
+from nppg.bias.names import is_name
 from nppg.bridge.prolog import ask
 from nppg.features.counts import fewer
 from nppg.features.derived import Derived, Words, with_todo
@@ -16,7 +17,8 @@ from nppg.pddl.clauses import Term, clause_text, parts
 
 
 def candidates(module: str, bias: Declared, words: Words) -> list[Derived]:
-    """All of a loaded domain, the simple ones first; each name stands for one predicate."""
+    """All of a loaded domain, the simple ones first. Each name, those of what they need among them, means one thing,
+    and none that the domain knows."""
     more = with_todo(words)
     if more:
         types = {**words.types, **{each.name: each.types for each in more}}
@@ -38,21 +40,22 @@ def candidates(module: str, bias: Declared, words: Words) -> list[Derived]:
         yield from fewer(words, all_schemas)
 
     found: dict[str, Derived] = {}
-    clauses: dict[str, list[str]] = {}
-    for one in made():
-        each = replace(one, needs=(*_mentioned(one, more), *one.needs))
-        own = {part.name: list(map(clause_text, part.clauses)) for part in each.all()}
-        if not any(name in words.taken or clauses.get(name, lines) != lines for name, lines in own.items()):
-            clauses |= own
-            found.setdefault(each.name, each)
+    known = dict.fromkeys(words.taken, "")
+    for each in made():
+        each = _complete(each, more)
+        texts = {one.name: "\n".join(map(clause_text, one.clauses)) for one in each.all()}
+        if each.name not in found and all(is_name(name) and known.get(name, own) == own for name, own in texts.items()):
+            known |= texts
+            found[each.name] = each
     return list(found.values())
 
 
-def _mentioned(derived: Derived, others: Sequence[Derived]) -> Iterator[Derived]:
-    """Those of the others that its clauses, or those of what it needs, ask for."""
-    clauses = [clause for each in derived.all() for clause in each.clauses]
-    names = {part.name for clause in clauses for part in parts(clause) if isinstance(part, Term)}
-    yield from (each for each in others if each.name in names and each.name != derived.name)
+def _complete(each: Derived, todo: Sequence[Derived]) -> Derived:
+    """With what it asks of what is left to do, where the domain does not say that itself."""
+    clauses = (clause for one in each.all() for clause in one.clauses)
+    asked = {part.name for clause in clauses for part in parts(clause) if isinstance(part, Term)}
+    more = [one for one in todo if one.name in asked and one is not each]
+    return replace(each, needs=(*more, *each.needs)) if more else each
 
 
 def text(chosen: Sequence[Derived]) -> str:
