@@ -2,25 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping
-from pathlib import Path
+from collections.abc import Iterable, Mapping
 
 import janus_swi
-import numpy as np
 import pytest
-import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import nppg
 from nppg.bias.language_bias import LanguageBias
-from nppg.cli.main import main
-from nppg.features.bias_edit import extended
 from nppg.features.derived import Derived, Words
 from nppg.features.selection import candidates, text
-from nppg.worlds.deriving import worth_testing
 from nppg.worlds.domain import Domain
 
 VANS = """\
