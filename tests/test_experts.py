@@ -102,7 +102,7 @@ def test_what_was_learned_wrong_for_certain_is_unlearned_from_guided_steps(river
     """The policy goes to f with a probability of 1 - 1e-6, and is taught by the expert alone, in second-order steps.
     With pi(s, a)^0.5 as their weight the same steps teach next to nothing; the paper's steps are as they were."""
     bias, domain = LanguageBias.load(river.path.with_suffix(".yaml")), river.with_problems([5])
-    options = Options(step="second-order", importance=0.5)
+    options = Options(step="second-order", importance=0.5, expert="optimal")
     expert, start, choice = OptimalExpert(domain), domain.problem(5), [("go", "b"), ("go", "f")]
     leads: Query = (Literal("leads", (Var(0),)),)
     found = {}

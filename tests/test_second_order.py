@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from samples import pairs, truth, visited
 
-import nppg.learning.training
+import nppg.learning.courses
 from nppg.answers.coverage import Coverage
 from nppg.answers.table import Table
 from nppg.bias.declarations import TreeLimits
@@ -167,16 +167,17 @@ def rewarded(domain: Domain, bias, options: Options) -> list[Visit]:
     return [visit for _ in range(40) for visit in kept(judge.visits(generate_episode(policy, rng, 0.3)), options)]
 
 
+@pytest.mark.parametrize("expert", ["domain", "optimal"])
 @pytest.mark.parametrize("importance", [0.0, 0.5, 1.0])
-def test_examples_carry_weighted_gradients_and_curvatures(four_blocks: Domain, plain_bias, importance) -> None:
-    """The curvature is the second derivative of value * log pi, but for the sign."""
-    options = replace(SECOND, importance=importance)
+def test_examples_carry_weighted_gradients_and_curvatures(four_blocks: Domain, plain_bias, importance, expert) -> None:
+    """The curvature is the second derivative of value * log pi, but for the sign. A teacher has no weight."""
+    options = replace(SECOND, importance=importance, expert=expert)
     batch = [Visit(step, value) for step, *_ in rewarded(four_blocks, plain_bias, options) for value in (1.0, -2.0)]
     found, start = examples(batch, options), 0
     for step, value, _ in batch:
         own = slice(start, start := start + len(step.actions))
         pi, chosen = step.probabilities, step.chosen
-        weight = 0.0 if step.guided else importance
+        weight = 0.0 if step.guided and expert == "optimal" else importance
         expected = [value * pi[chosen] ** weight * ((b == chosen) - pi[b]) for b in range(len(pi))]
         assert found.targets[own].tolist() == pytest.approx(expected, abs=1e-15)
         assert found.targets[own].sum() == pytest.approx(0, abs=1e-14)
@@ -249,7 +250,7 @@ def test_lambda_grows_with_the_trees_and_without_growth_is_what_it_was(
         seen.append(found.newton.regularisation)
         return found
 
-    monkeypatch.setattr(nppg.learning.training, "examples", looked_at)
+    monkeypatch.setattr(nppg.learning.courses, "examples", looked_at)
     for growth in (0.0, 0.1):
         seen.clear()
         options = replace(SECOND, episodes=60, min_examples=30, regularisation=0.3, regularisation_growth=growth)
@@ -298,7 +299,7 @@ def test_replayed_steps_are_seen_by_the_present_policy(
         batches.append(batch)
         return examples(batch, options, trees, table)
 
-    monkeypatch.setattr(nppg.learning.training, "examples", looked_at)
+    monkeypatch.setattr(nppg.learning.courses, "examples", looked_at)
     for iteration in train(four_blocks, bias_of(JOINS), replace(SECOND, episodes=60, min_examples=30, replay=30)):
         policies.append(iteration.policy)
     assert replayed[0] == 0 and max(replayed) == 30 and len(widths) > 2

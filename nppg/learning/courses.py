@@ -136,15 +136,16 @@ def updated_actions(step: Step, options: Options) -> slice:
 
 
 def importance_of(step: Step, options: Options) -> float:
-    """The power k of pi(s, a) that weights a step. Second-order steps learn from what an expert chose with k = 0,
-    whatever the option is: the weight pi(s, a)^k is about how often the policy itself would act so, and an expert is to
-    teach what it would not do. With it the gradient vanishes just where the policy is certain of another action.
-    Without it a step climbs value * log pi(s, a), the likelihood of what the expert did: its gradient at the action,
-    value (1 - pi(s, a)), is largest there, and its curvature |value| pi(s, b) (1 - pi(s, b)) is the one that `examples`
-    has, so that a leaf is a Newton step, bounded by lambda and the clip. The paper's steps weight expert and policy
-    alike."""
+    """The power k of pi(s, a) that weights a step. Second-order steps learn from what a teacher chose, which is an
+    `expert` that nobody wrote, with k = 0: the weight pi(s, a)^k is about how often the policy itself would act so, and
+    a teacher is to show what it would not do. With it the gradient vanishes just where the policy is certain of another
+    action. Without it a step climbs value * log pi(s, a), the likelihood of what the teacher did: its gradient at the
+    action, value (1 - pi(s, a)), is largest there, and its curvature |value| pi(s, b) (1 - pi(s, b)) is the one that
+    `examples` has, so that a leaf is a Newton step, bounded by lambda and the clip. The paper weights its expert and
+    the policy alike."""
     assert options.importance is not None
-    return 0.0 if step.guided and options.step == "second-order" else options.importance
+    taught = step.guided and options.expert != "domain" and options.step == "second-order"
+    return 0.0 if taught else options.importance
 
 
 def examples(batch: Sequence[Visit], options: Options, trees: int = 0, table: Table | None = None) -> Examples:
