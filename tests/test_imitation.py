@@ -170,12 +170,12 @@ def test_a_policy_that_is_certain_of_a_wrong_action_unlearns_it() -> None:
     course, rng = SelfImitation(domain, bias, options), np.random.default_rng(0)
     policy = Policy(domain, bias, course.table)
     for tree in learned.policy.trees:
-        policy.add(tree, -10.0, "the contrary of what is right")
+        policy.add(tree, -2.0, "the contrary of what is right")
     start = domain.problem(3)
     actions = domain.situation(start).actions
     right = actions.index(("open", 2))
     assert policy.scores(start, actions).probabilities[right] < 1e-3
-    for _ in range(150):
+    for _ in range(300):
         course.hear(generate_episode(policy, rng, floor=options.floor, learning=True))
         if course.gathered > options.min_examples and (grown := course.tree(policy)):
             policy.add(*grown, "")
