@@ -27,7 +27,7 @@ from nppg.worlds.domain import Domain
 from nppg.worlds.world import Action, State
 
 _LARGE = 200  # a table of more tests is asked about steps that trees learn from alone: most teach nothing
-_FEWEST = 20  # comparisons that a tree is grown from
+_FEWEST = 20  # comparisons that a tree is grown from; in small worlds a quarter of the states that have been met
 
 
 class Course(Protocol):
@@ -117,7 +117,7 @@ class SelfImitation:
             left -= detours(problems[at], list(met[problems[at]]), policy, self._rng, left)
         found = [ways.comparison(each, self.options.discount) for ways, numbers in met.items() for each in numbers]
         comparisons = [each for each in found if each]
-        if len(comparisons) < _FEWEST:
+        if len(comparisons) < min(_FEWEST, self._experience.size / 4):
             return None
         made = compared(comparisons, policy, self.learner.table, self.options)
         return self.learner.fit(made), self.options.step_size

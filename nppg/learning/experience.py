@@ -160,8 +160,13 @@ class Experience:
         chosen = [known[int(each * len(known))] for each in rng.random(count)]
         return [(ways, int(each * len(ways.states))) for ways, each in zip(chosen, rng.random(count), strict=True)]
 
+    @property
+    def size(self) -> int:
+        """How many states are remembered."""
+        return sum(len(ways.states) for ways in self._ways.values())
+
     def _forget(self, last: Ways) -> None:
-        while sum(len(ways.states) for ways in self._ways.values()) > MOST:
+        while self.size > MOST:
             oldest = next(iter(self._ways))
             if self._ways[oldest] is last:
                 return

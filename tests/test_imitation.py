@@ -1,0 +1,243 @@
+"""Self-imitation: what is known of the ways to the goal, the gradient of comparisons, and that failures teach."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from nppg import language_bias_of, open_domain
+from nppg.cli.main import main
+from nppg.judging.problems import attempts
+from nppg.learning.courses import Returns, SelfImitation, course_of, examples
+from nppg.learning.critic import critic
+from nppg.learning.episode import Episode, Step, generate_episode
+from nppg.learning.experience import Experience, Ways
+from nppg.learning.gradient import comparison_gradient
+from nppg.learning.options import Options
+from nppg.learning.regressors import regressor
+from nppg.learning.training import train
+from nppg.learning.visits import kept
+from nppg.policy.policy import Policy
+from nppg.worlds.domain import Domain
+
+DOORS = Path(__file__).parent / "domains" / "doors.pl"
+SELF = {"imitation": "self", "step": "second-order", "discount": 0.95, "floor": 0.1, "replay": 50, "min_examples": 50}
+NOTHING = np.empty(0)
+
+
+def doors(problems: Sequence[int]) -> Domain:
+    return open_domain(DOORS).with_problems(problems)
+
+
+def played(domain: Domain, choices: Sequence[int], number: int) -> Episode:
+    """The episode in which these doors are opened."""
+    rng, state, steps = np.random.default_rng(0), domain.problem(number), []
+    for door in choices:
+        actions = domain.situation(state).actions
+        chosen = actions.index(("open", door))
+        reward, following = domain.act(state, actions[chosen], rng)
+        steps.append(Step(state, list(actions), NOTHING, NOTHING, NOTHING, chosen, reward, state))
+        state = following
+    status, actions = domain.situation(state)
+    return Episode(tuple(steps), state, actions, status == "goal", state)
+
+
+# ---------------------------------------------------------------- what is known
+
+
+graphs = st.lists(st.lists(st.none() | st.integers(0, 7), max_size=4), min_size=1, max_size=8)
+
+
+@given(graphs, st.sets(st.integers(0, 7), max_size=2), st.sets(st.integers(0, 7), max_size=2))
+def test_distances_and_dead_ends_are_those_of_the_graph(graph: list, goals: set[int], ends: set[int]) -> None:
+    """Of states with actions that lead somewhere or have not been tried (none), some goals, some ends of episodes."""
+    graph = [*graph, *[[]] * (8 - len(graph))]
+    ways, states = Ways(), range(8)
+    numbers = [ways.number(SimpleNamespace(fingerprint=100 + state)) for state in states]  # type: ignore[arg-type]
+    assert numbers == [*states]
+    ends, acted = ends - goals, [state for state in states if graph[state] and state not in goals | ends]
+    for state in acted:
+        for action, following in enumerate(graph[state]):
+            if following is not None:
+                ways.lead(state, range(len(graph[state])), action, following)
+    for state in sorted(goals | ends):
+        ways.end(state, state in goals)
+
+    edges = {x: {y for y in graph[x] if y is not None} if x in acted else set() for x in states}
+    reached = [{x} for x in states]  # by ever more steps
+    distances = dict.fromkeys(goals, 0)
+    for steps in range(1, 9):
+        reached = [set().union(*(edges[y] for y in each)) for each in reached]
+        for x in states:
+            if reached[x] & goals:
+                distances.setdefault(x, steps)
+    assert ways.distances == distances
+
+    def is_open(x: int) -> bool:
+        return x not in goals | ends and (not edges[x] or None in graph[x])
+
+    hopeful = {x for x in states if is_open(x) or x in goals}
+    for _ in states:
+        hopeful |= {x for x in states if edges[x] & hopeful}
+    assert ways.dead == set(states) - hopeful
+
+
+def test_what_has_been_tried_is_compared_by_its_return_and_by_how_often_it_was_seen() -> None:
+    ways = Ways()
+    for state in range(5):
+        ways.number(SimpleNamespace(fingerprint=state))  # type: ignore[arg-type]
+    legal = ["right", "round", "unknown", "dead", "untried"]
+    for action, following in (("right", 1), ("round", 2), ("unknown", 3), ("dead", 4)):
+        ways.lead(0, legal, action, following)
+    assert ways.comparison(0, 0.9) is None  # no way is known
+    ways.lead(2, ["on"], "on", 1)
+    ways.end(1, True)
+    ways.end(4, False)
+    ways.visits[:] = [1, 1, 6, 3, 1]
+    found = ways.comparison(0, 0.9)
+    assert found and found.actions == ["right", "round", "unknown", "dead"] and found.best == 1
+    assert found.losses == pytest.approx([(1 - 0.9) / (1 + 3 / 6), 1 / (1 + 3 / 3), 1.0])
+    assert ways.comparison(2, 0.9) is None  # nothing to compare
+
+
+# ---------------------------------------------------------------- the gradient
+
+
+@given(
+    st.lists(st.floats(-5, 5), min_size=1, max_size=4), st.lists(st.floats(-5, 5), min_size=1, max_size=5), st.data()
+)
+def test_the_gradient_and_the_curvature_match_finite_differences(better: list, worse: list, data) -> None:
+    better = [each + 0.01 * i for i, each in enumerate(sorted(better))]  # one is highest
+    losses = np.array(data.draw(st.lists(st.floats(0, 1), min_size=len(worse), max_size=len(worse))))
+    psi, step = np.array(better + worse), 1e-4
+
+    def objective(potentials: np.ndarray) -> float:
+        apart = potentials[: len(better)].max() - potentials[len(better) :]
+        return float((losses * -np.log1p(np.exp(-apart))).sum() / math.sqrt(len(worse)))
+
+    gradient, curvature = comparison_gradient(psi, len(better), losses)
+    assert gradient.sum() == pytest.approx(0, abs=1e-12)
+    for b, unit in enumerate(step * np.eye(len(psi))):
+        more, less, here = objective(psi + unit), objective(psi - unit), objective(psi)
+        assert gradient[b] == pytest.approx((more - less) / (2 * step), abs=1e-6)
+        assert curvature[b] == pytest.approx(-(more - 2 * here + less) / step**2, abs=1e-4)
+
+
+def test_equal_ones_share_and_sure_ones_do_not_overflow() -> None:
+    gradient, curvature = comparison_gradient(np.array([1.0, 1.0, 0.5, 1.0]), 3, np.array([1.0]))
+    assert gradient == pytest.approx([0.25, 0.25, 0, -0.5]) and curvature == pytest.approx([0.125, 0.125, 0, 0.25])
+    for far in (1e6, -1e6):
+        assert all(np.isfinite(each).all() for each in comparison_gradient(np.array([0.0, far]), 1, np.ones(1)))
+
+
+# ---------------------------------------------------------------- learning
+
+
+def test_a_failed_episode_teaches_once_another_has_found_the_way() -> None:
+    """Problem 2: door 2 leads on from the first room, door 1 from the second."""
+    domain, experience = doors([1, 2]), Experience()
+    ways, met = experience.hear(played(domain, [2, 3, 4], 2))
+    assert not ways.distances and len(met) == 2 and experience.draw(5, np.random.default_rng(0)) == []
+    same, again = experience.hear(played(domain, [2, 1], 2))
+    assert same is ways and again[:2] == met
+    assert [ways.distances[number] for number in again] == [2, 1, 0]
+    first, second = (ways.comparison(number, 0.5) for number in met)
+    assert first and first.actions == [("open", 2), ("open", 4)] and first.best == 1
+    assert second and second.actions == [("open", 1), ("open", 3)] and second.best == 1
+    doubt = 1 + 3 / ways.visits[met[0]]
+    assert first.losses == pytest.approx([0.5 / doubt]) and second.losses == pytest.approx([0.75 / doubt])
+    other, _ = experience.hear(played(domain, [2], 1))
+    assert other is not ways and set(other.distances.values()) == {0, 1}
+
+
+def test_doors_are_learned_from_failures_as_well() -> None:
+    domain = doors(range(1, 10))
+    *_, last = train(domain, language_bias_of(domain), Options(episodes=400, **SELF))
+    assert last.policy.trees and all(each.solved for each in attempts(last.policy))
+
+
+def test_a_policy_that_is_certain_of_a_wrong_action_unlearns_it() -> None:
+    domain = doors([2, 3])
+    bias, options = language_bias_of(domain), Options(episodes=100, **SELF)
+    *_, learned = train(domain, bias, options)
+    course, rng = SelfImitation(domain, bias, options), np.random.default_rng(0)
+    policy = Policy(domain, bias, course.table)
+    for tree in learned.policy.trees:
+        policy.add(tree, -2.0, "the contrary of what is right")
+    start = domain.problem(3)
+    actions = domain.situation(start).actions
+    right = actions.index(("open", 2))
+    assert policy.scores(start, actions).probabilities[right] < 1e-3
+    for _ in range(300):
+        course.hear(generate_episode(policy, rng, floor=options.floor, learning=True))
+        if course.gathered > options.min_examples and (grown := course.tree(policy)):
+            policy.add(*grown, "")
+    assert policy.scores(start, actions).probabilities[right] > 0.5
+    assert all(each.solved for each in attempts(policy))
+
+
+NO_GOAL = """\
+:- module(endless, []).
+:- fluent at/1.
+action(go(X)) :- member(X, [1, 2]).
+effect(go(X), [at(Y)], [at(X)]) :- at(Y).
+terminal :- at(9).
+start([at(1)]).
+horizon(3).
+"""
+
+
+@pytest.mark.parametrize(
+    "domain, wrong",
+    [
+        (Path(__file__).parent / "domains" / "ferry.pl", "its actions are left to chance"),
+        ("noisy_blocks", "policies do not see its states as they are"),
+        (None, "it has no goal"),
+    ],
+)
+def test_it_is_not_for_every_world(tmp_path: Path, capsys: pytest.CaptureFixture[str], domain, wrong: str) -> None:
+    if domain is None:
+        domain = tmp_path / "endless.pl"
+        domain.write_text(NO_GOAL)
+        domain.with_suffix(".yaml").write_text("action: go(+n)\ntypes: {at: [n]}\nmodes: [at(+)]\n")
+    assert main(["train", str(domain), "--imitation", "self", "--output", str(tmp_path / "run")]) == 2
+    said = capsys.readouterr().err
+    assert wrong in said and said.count("\n") == 1 and said.startswith("self-imitation is not for the domain ")
+
+
+def test_the_same_seed_gives_the_same_trees() -> None:
+    domain = doors(range(1, 7))
+    policies = []
+    for seed in (1, 1, 2):
+        *_, last = train(domain, language_bias_of(domain), Options(episodes=100, seed=seed, **SELF))
+        policies.append(last.policy)
+    one, same, other = policies
+    assert one.trees == same.trees and len(one.trees) > 1 and one.comments == same.comments != other.comments
+
+
+# ---------------------------------------------------------------- returns
+
+
+def test_returns_are_the_default_and_learn_as_before(delivery, delivery_bias) -> None:
+    """The loop of the paper, written down once more, grows the same trees."""
+    options = Options(episodes=30, min_examples=30)
+    assert (options.imitation, options.floor) == ("no", 0.0)
+    assert isinstance(course_of(delivery, delivery_bias, options), Returns)
+    *_, last = train(delivery, delivery_bias, options)
+    learner, judge = regressor(delivery, delivery_bias, options), critic(delivery, delivery_bias, options)
+    policy, rng, batch, gathered = Policy(delivery, delivery_bias, learner.table), np.random.default_rng(0), [], 0
+    for _ in range(30):
+        visits = judge.visits(generate_episode(policy, rng, options.guidance, learning=True))
+        gathered += sum(len(visit.step.actions) for visit in visits)
+        batch += visits
+        if gathered > 30:
+            policy.add(learner.fit(examples(kept(batch, options), options)), 1.0, "")
+            batch, gathered = [], 0
+    assert policy.trees == last.policy.trees and len(policy.trees) > 2
