@@ -47,7 +47,10 @@ options: {options}
 """
 
 # Of worlds where an action has one outcome and the goal is all that is wanted, and of others.
-_WAYS = "{imitation: self, step: second-order, discount: 0.95, floor: 0.1, replay: 200, min_examples: 200}"
+_WAYS = (
+    "{imitation: self, step: second-order, discount: 0.95, floor: 0.1, min_examples: 200, replay: 1000, detours: 3,\n"
+    "  regularisation_growth: 0.05}"
+)
 _RETURNS = "{step: second-order, discount: 0.95, min_examples: 500}"
 
 
