@@ -26,8 +26,7 @@ def learn(setting: Setting, domain: str, seed: int) -> None:
     if setting.results.has(**key):
         return
     folder, problems = setting.folder(domain, seed), map(str, setting.training(domain))
-    limits = ["--seconds", str(setting.learn_seconds), "--episodes", "1000000"]
-    command = ["train", f"{domain}/domain.pddl", "--seed", str(seed), *limits]
+    command = ["train", f"{domain}/domain.pddl", "--seed", str(seed), "--seconds", str(setting.learn_seconds)]
     done = run(
         _nppg(*command, "--jobs", "1", "--evaluate-every", "0", "--output", str(folder), "--problems", *problems),
         setting.data,
