@@ -68,8 +68,8 @@ def act(setting: Setting, part: str, domain: str, seed: int) -> None:
         if setting.results.has(**key) or not (folder / MODELS[part]).exists():
             continue
         limits = {"limit": setting.seconds, "gigabytes": setting.gigabytes}
-        limit = ["--seconds", str(setting.seconds), "--horizon-factor", "2"]
-        command = _nppg("evaluate", MODELS[part], "--json", *limit, *_SEARCH.get(part, ()))
+        how = _SEARCH.get(part, ("--horizon-factor", "2"))
+        command = _nppg("evaluate", MODELS[part], "--json", "--seconds", str(setting.seconds), *how)
         done = run([*command, "--problems", str(task.path)], folder, setting.seconds + 5, setting.gigabytes)
         line = setting.results.add({**key, **attempted(done, setting.seconds), **limits})
         print(*key.values(), line["ended"], line["cost"], line["seconds"], line["processor"], flush=True)

@@ -9,8 +9,8 @@ from collections.abc import Callable
 from nppg.experiments.progress import Point, Progress, sizes
 from nppg.learning.options import Common
 
-
 ENDLESS = 10**9  # episodes of a run that only its seconds end
+
 
 def reporter(options: Common) -> Callable[[Progress], None]:
     """A progress bar on a terminal with tqdm, plain lines elsewhere."""

@@ -55,7 +55,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="stop at the first point with this mean return; points are then sampled, not exact",
     )
     files.add_argument(
-        "--seconds", type=float, metavar="S", help="stop with the episode after so many seconds of learning; without --episodes, not before"
+        "--seconds",
+        type=float,
+        metavar="S",
+        help="stop with the episode after so many seconds of learning; without --episodes, not before",
     )
     files.add_argument("--quiet", action="store_true", help="print nothing")
     many = parser.add_argument_group("several runs")
