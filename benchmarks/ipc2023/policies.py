@@ -16,7 +16,7 @@ from benchmarks.ipc2023.tasks import LEVELS, SOLVED, Setting
 
 LEARN, DISTILL = "learn", "distill"
 MODELS = {"policy": "model.pl", "rules": "rules.pl", "levin": "model.pl"}  # what acts, by the part that judges it
-_SEARCH = {"levin": ("--search", "levin", "--budget", str(10**9))}  # the seconds end it
+_SEARCH = ("--search", "levin", "--budget", str(10**9))  # the seconds end it
 _RULE = re.compile(r"^delta\(1, ", re.MULTILINE)
 
 
@@ -69,8 +69,8 @@ def act(setting: Setting, part: str, domain: str, seed: int) -> None:
         if setting.results.has(**key) or not (folder / MODELS[part]).exists():
             continue
         limits = {"limit": setting.seconds, "gigabytes": setting.gigabytes}
-        limit = ["--seconds", str(setting.seconds), "--horizon-factor", "2"]
-        command = _nppg("evaluate", MODELS[part], "--json", *limit, *_SEARCH.get(part, ()))
+        how = _SEARCH if part == "levin" else ("--horizon-factor", "2")
+        command = _nppg("evaluate", MODELS[part], "--json", "--seconds", str(setting.seconds), *how)
         done = run([*command, "--problems", str(task.path)], folder, setting.seconds + 5, setting.gigabytes)
         line = setting.results.add({**key, **attempted(done, setting.seconds), **limits})
         print(*key.values(), line["ended"], line["cost"], line["seconds"], line["processor"], flush=True)

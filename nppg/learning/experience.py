@@ -142,7 +142,8 @@ class Experience:
         """Learns from an episode; the states that it has met, each once."""
         states = [*(step.actual for step in episode.steps), episode.actual]
         static = static_of(interpretation_of(states[0]))
-        ways = self._ways[static] = self._ways.pop(static, None) or Ways()
+        ways = self._ways.pop(static, None) or Ways()
+        self._ways[static] = ways
         numbers = [ways.number(interpretation_of(state)) for state in states]
         for step, before, after in zip(episode.steps, numbers, numbers[1:], strict=False):
             ways.lead(before, step.actions, step.actions[step.chosen], after)
