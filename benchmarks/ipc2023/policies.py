@@ -16,7 +16,7 @@ from benchmarks.ipc2023.tasks import LEVELS, SOLVED, Setting
 
 LEARN, DISTILL = "learn", "distill"
 MODELS = {"policy": "model.pl", "rules": "rules.pl", "levin": "model.pl"}  # what acts, by the part that judges it
-_SEARCH = ("--search", "levin", "--budget", str(10**9))  # the seconds end it
+_SEARCH = {"levin": ("--search", "levin", "--budget", str(10**9))}  # the seconds end it
 _RULE = re.compile(r"^delta\(1, ", re.MULTILINE)
 
 
@@ -26,8 +26,7 @@ def learn(setting: Setting, domain: str, seed: int) -> None:
     if setting.results.has(**key):
         return
     folder, problems = setting.folder(domain, seed), map(str, setting.training(domain))
-    limits = ["--seconds", str(setting.learn_seconds), "--episodes", "1000000"]
-    command = ["train", f"{domain}/domain.pddl", "--seed", str(seed), *limits]
+    command = ["train", f"{domain}/domain.pddl", "--seed", str(seed), "--seconds", str(setting.learn_seconds)]
     done = run(
         _nppg(*command, "--jobs", "1", "--evaluate-every", "0", "--output", str(folder), "--problems", *problems),
         setting.data,
@@ -69,7 +68,7 @@ def act(setting: Setting, part: str, domain: str, seed: int) -> None:
         if setting.results.has(**key) or not (folder / MODELS[part]).exists():
             continue
         limits = {"limit": setting.seconds, "gigabytes": setting.gigabytes}
-        how = _SEARCH if part == "levin" else ("--horizon-factor", "2")
+        how = _SEARCH.get(part, ("--horizon-factor", "2"))
         command = _nppg("evaluate", MODELS[part], "--json", "--seconds", str(setting.seconds), *how)
         done = run([*command, "--problems", str(task.path)], folder, setting.seconds + 5, setting.gigabytes)
         line = setting.results.add({**key, **attempted(done, setting.seconds), **limits})

@@ -9,6 +9,8 @@ from collections.abc import Callable
 from nppg.experiments.progress import Point, Progress, sizes
 from nppg.learning.options import Common
 
+ENDLESS = 10**9  # episodes of a run that only its seconds end
+
 
 def reporter(options: Common) -> Callable[[Progress], None]:
     """A progress bar on a terminal with tqdm, plain lines elsewhere."""
@@ -20,7 +22,8 @@ def reporter(options: Common) -> Callable[[Progress], None]:
         except ImportError:
             pass
         else:
-            bar = tqdm(total=options.episodes, unit="episode", dynamic_ncols=True)
+            total = options.episodes if options.episodes < ENDLESS else None
+            bar = tqdm(total=total, unit="episode", dynamic_ncols=True)
 
     def show(progress: Progress) -> None:
         point = progress.point

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from nppg.cli import jobs, loading
 from nppg.cli.arguments import add_domain, warnings_told
-from nppg.cli.progress import reporter
+from nppg.cli.progress import ENDLESS, reporter
 from nppg.cli.training_options import add_training_options, chosen_options
 from nppg.errors import NppgError
 from nppg.experiments import runs, seeds
@@ -55,7 +55,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="stop at the first point with this mean return; points are then sampled, not exact",
     )
     files.add_argument(
-        "--seconds", type=float, metavar="S", help="stop with the episode after so many seconds of learning"
+        "--seconds",
+        type=float,
+        metavar="S",
+        help="stop with the episode after so many seconds of learning; without --episodes, not before",
     )
     files.add_argument("--quiet", action="store_true", help="print nothing")
     many = parser.add_argument_group("several runs")
@@ -84,6 +87,8 @@ def run(options: argparse.Namespace) -> int:
     assert bias
     learner = learner_of(bias, options.learner)
     given = chosen_options(options, learner)
+    if options.seconds is not None and "episodes" not in {*given, *bias.options}:
+        given["episodes"] = ENDLESS
     own = {field.name for field in fields(LEARNERS[learner])}
     limits = {LIMITS[name].name: value for name, value in given.items() if name not in own}
     bias = replace(bias, tree=replace(bias.tree, **limits))
