@@ -22,6 +22,7 @@ from nppg.features.derived import Derived, Words
 from nppg.features.selection import candidates, text
 from nppg.worlds.deriving import worth_testing
 from nppg.worlds.domain import Domain
+from nppg.worlds.pddl_domain import import_domain
 
 VANS = """\
 :- module(vans, []).
@@ -440,3 +441,13 @@ def test_no_line_of_the_code_knows_a_domain_of_the_competition() -> None:
     names = "blocksworld|childsnack|ferry|floortile|miconic|rovers|satellite|sokoban|spanner|transport"
     known = [path for path in Path(nppg.__file__).parent.rglob("*.py") if re.search(names, path.read_text().lower())]
     assert not known
+
+
+def test_problems_without_a_step_show_nothing(tmp_path: Path) -> None:
+    domain, problem = tmp_path / "domain.pddl", tmp_path / "done.pddl"
+    domain.write_text(
+        "(define (domain walk) (:requirements :strips) (:predicates (at ?x) (road ?x ?y)) (:action go :parameters "
+        "(?x ?y) :precondition (and (at ?x) (road ?x ?y)) :effect (and (not (at ?x)) (at ?y))))"
+    )
+    problem.write_text("(define (problem done) (:domain walk) (:objects a b) (:init (at a) (road a b)) (:goal (at a)))")
+    assert import_domain(domain, [problem]).derived == []

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from nppg import language_bias_of, open_domain
 from nppg.cli.main import main
+from nppg.judging.evaluation import ExactEvaluator
 from nppg.judging.problems import attempts
 from nppg.learning.courses import Returns, SelfImitation, course_of, examples
 from nppg.learning.critic import critic
@@ -210,6 +211,52 @@ def test_it_is_not_for_every_world(tmp_path: Path, capsys: pytest.CaptureFixture
     assert main(["train", str(domain), "--imitation", "self", "--output", str(tmp_path / "run")]) == 2
     said = capsys.readouterr().err
     assert wrong in said and said.count("\n") == 1 and said.startswith("self-imitation is not for the domain ")
+
+
+@pytest.mark.parametrize(
+    "option, value",
+    [("critic", "value"), ("normalise", "yes"), ("line_search", 2), ("update", "taken"), ("unrewarded", "drop")],
+)
+def test_what_is_about_returns_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], option, value) -> None:
+    given = ["--imitation", "self", f"--{option.replace('_', '-')}", str(value), "--output", str(tmp_path / "run")]
+    assert main(["train", str(DOORS), *given]) == 2
+    said = capsys.readouterr().err
+    assert said == f"self-imitation does not learn from returns: it has no use for {option} {value}\n"
+
+
+NOISY = """\
+:- module(noisy, []).
+:- fluent at/1.
+start([at(1)]).
+action(go).
+effect(go, [at(X)], [at(Y)]) :- at(X), random_between(0, 3, Y).
+goal :- at(3).
+horizon(20).
+"""
+
+
+def test_effects_that_draw_are_refused_once_they_show(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    domain = tmp_path / "noisy.pl"
+    domain.write_text(NOISY)
+    domain.with_suffix(".yaml").write_text("action: [go]\ntypes: {at: [n]}\nmodes: [at(-)]\n")
+    given = ["--imitation", "self", "--evaluate-every", "0", "--output", str(tmp_path / "run")]
+    assert main(["train", str(domain), *given]) == 2
+    said = capsys.readouterr().err
+    assert said.startswith("self-imitation is for actions that have one outcome: ") and said.count("\n") == 1
+
+
+def test_a_problem_that_is_read_again_is_the_same_one() -> None:
+    """Its static facts are equal, not the same object."""
+    experience = Experience()
+    (first, _), (again, _) = (experience.hear(played(doors([2]), [2, 1], 2)) for _ in range(2))
+    assert again is first and again.visits[0] == 2
+
+
+def test_starts_without_static_facts_are_learned() -> None:
+    """One graph is all that is known of them: goals are in the states."""
+    domain = open_domain("blocks_world", {"blocks": 3})
+    *_, last = train(domain, language_bias_of(domain), Options(episodes=150, guidance=0.0, **SELF))
+    assert last.policy.trees and ExactEvaluator(last.policy).evaluate(greedy=True).success > 0.9
 
 
 def test_the_same_seed_gives_the_same_trees() -> None:

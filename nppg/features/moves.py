@@ -29,11 +29,6 @@ class Moves:
     along: tuple[int, ...] = ()
     steps: list[tuple[tuple[Var, ...], Var, Var, tuple[Term, ...]]] = field(default_factory=list)
 
-    @property
-    def title(self) -> str:
-        """What its predicates are named by."""
-        return self.fluent
-
 
 def moves(words: Words, all_schemas: Iterable[Schema]) -> list[Moves]:
     """All of a domain's."""
@@ -88,7 +83,7 @@ class Ways:
 def ways(each: Moves) -> Ways:
     """A step, and the number of steps from X to Z, found from Z on backwards."""
     types, kind = tuple(each.types[i] for i in each.along), each.kind
-    name, lines, known = f"step_{each.title}", [], set()
+    name, lines, known = f"step_{each.fluent}", [], set()
     for others, x, y, edge in each.steps:
         clause = Clause(Term(name, (*(others[i] for i in each.along), x, y)), edge)
         if clause_text(clause) not in known:
@@ -97,7 +92,7 @@ def ways(each: Moves) -> Ways:
     step = Derived(name, (*types, kind, kind), tuple(lines), tested=False)
     args = tuple(map(typed, types))
     x, y, z, d, d0 = Var("X"), Var("Y"), Var("Z"), Var("D"), Var("D0")
-    far, count = f"far_{each.title}", f"steps_{each.title}"
+    far, count = f"far_{each.fluent}", f"steps_{each.fluent}"
     longer = Infix("is", d, Infix("+", d0, Term(1)))
     far_clauses = (
         Clause(Term(far, (*args, z, z, Term(0)))),
@@ -121,7 +116,7 @@ def nearer(way: Ways) -> Derived:
     args = tuple(map(typed, way.types))
     x, y, z, d, d0 = Var("X"), Var("Y"), Var("Z"), Var("D"), Var("D0")
     kind = way.moves.kind
-    name = f"nearer_{way.moves.title}"
+    name = f"nearer_{way.moves.fluent}"
     body = (way.step(*args, x, y), way.steps(*args, y, z, d), way.steps(*args, x, z, d0), Infix("<", d, d0))
     clause = Clause(Term(name, (*args, x, y, z)), body)
     return Derived(name, (*way.types, kind, kind, kind), (clause,), "", (way.steps,))

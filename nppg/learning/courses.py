@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
+from dataclasses import asdict
 from typing import Protocol
 
 import numpy as np
@@ -28,6 +29,7 @@ from nppg.worlds.world import Action, State
 
 _LARGE = 200  # a table of more tests is asked about steps that trees learn from alone: most teach nothing
 _FEWEST = 20  # comparisons that a tree is grown from; in small worlds a quarter of the states that have been met
+_OF_RETURNS = ("update", "unrewarded", "critic", "normalise", "line_search")  # options that are about these alone
 
 
 class Course(Protocol):
@@ -88,10 +90,14 @@ class SelfImitation:
             "it has no goal" if not domain.has_goal
             else "its actions are left to chance" if domain.has_chance
             else "policies do not see its states as they are" if domain.has_observation
+            else "its environment cannot go back to a state" if domain.environment
             else ""
         )
         if wrong:
             raise NppgError(f"self-imitation is not for the domain {domain.name}: {wrong}")
+        given, usual = asdict(options), asdict(Options())
+        if named := [f"{name} {given[name]}" for name in _OF_RETURNS if given[name] != usual[name]]:
+            raise NppgError(f"self-imitation does not learn from returns: it has no use for {', '.join(named)}")
         self.options = options
         self.learner = regressor(domain, bias, options)
         self.table: Table | None = None

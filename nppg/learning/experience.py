@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from nppg.errors import NppgError
 from nppg.learning.episode import Episode
-from nppg.worlds.state import Interpretation, interpretation_of, static_of
+from nppg.worlds.state import Interpretation, Static, interpretation_of, static_of
 from nppg.worlds.world import Action, State
 
 DOUBT = 3  # visits of a state by which what is known of the ways from there counts half
@@ -55,11 +56,14 @@ class Ways:
         return found
 
     def lead(self, state: int, legal: Sequence[Action], action: Action, following: int) -> None:
-        """Learns where one of the legal actions leads."""
+        """Learns where one of the legal actions leads. Raises NppgError where it has led elsewhere."""
         self.legal[state] = legal
         if action not in self.tried[state]:
             self.tried[state][action] = following
             self._known = None
+        elif self.tried[state][action] != following:
+            what = " and to ".join(f"({self.states[each]})" for each in (self.tried[state][action], following))
+            raise NppgError(f"self-imitation is for actions that have one outcome: from one state, one leads to {what}")
 
     def end(self, state: int, is_goal: bool) -> None:
         """Learns that a state ends episodes."""
@@ -132,15 +136,14 @@ class Experience:
     """The ways of all problems: of all states with the same static facts."""
 
     def __init__(self) -> None:
-        self._ways: dict[int, Ways] = {}  # the last ones that have been met come last
-        self._static: dict[int, object] = {}  # kept, so that no other one gets its place
+        self._ways: dict[Static, Ways] = {}  # the last ones that have been met come last
 
     def hear(self, episode: Episode) -> tuple[Ways, list[int]]:
         """Learns from an episode; the states that it has met, each once."""
         states = [*(step.actual for step in episode.steps), episode.actual]
         static = static_of(interpretation_of(states[0]))
-        ways = self._ways.pop(id(static), None) or Ways()
-        self._ways[id(static)], self._static[id(static)] = ways, static
+        ways = self._ways.pop(static, None) or Ways()
+        self._ways[static] = ways
         numbers = [ways.number(interpretation_of(state)) for state in states]
         for step, before, after in zip(episode.steps, numbers, numbers[1:], strict=False):
             ways.lead(before, step.actions, step.actions[step.chosen], after)
@@ -170,7 +173,7 @@ class Experience:
             oldest = next(iter(self._ways))
             if self._ways[oldest] is last:
                 return
-            del self._ways[oldest], self._static[oldest]
+            del self._ways[oldest]
 
 
 def pairs_of(comparisons: Sequence[Comparison]) -> list[tuple[State, list[Action]]]:

@@ -47,8 +47,8 @@ def train(
     changes with their number. `expert` guides episodes in place of the domain's own, and is pickled for these
     processes. Raises NppgError.
 
-    A policy asks what its trees test. It shares the learner's table, so that its steps have the answers that trees are
-    grown from, unless that is large."""
+    A policy asks what its trees test. It shares the learner's table where trees are grown from the answers that its
+    steps have: not where the table is large, or in self-imitation."""
     options = options or Options()
     course = course_of(domain, bias, options)
     policy = Policy(domain, bias, course.table)

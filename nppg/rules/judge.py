@@ -131,7 +131,6 @@ class Trial:
     start: State
     horizon: int
     steps: int | None
-    episode: Episode
 
 
 class PlayedJudge(Judge):
@@ -256,7 +255,7 @@ def _trials(policy: Policy, domain: Domain) -> list[Trial]:
             own = np.random.default_rng([0, len(found)])
             episode = generate_episode(policy, own, greedy=True, start=start)
             steps = len(episode.steps) if episode.success else None
-            found.append(Trial(name, start, domain.horizon(start), steps, episode))
+            found.append(Trial(name, start, domain.horizon(start), steps))
     return found
 
 

@@ -33,7 +33,7 @@ def worth_testing(domain: Domain, bias: LanguageBias) -> list[Derived]:
             own = (replace(each, file=str(domain.path)) if each.file == str(file) else each for each in error.problems)
             raise NppgError(own) from None
     kept: dict[tuple, Derived] = {}
-    for each, answers in zip(found, zip(*seen, strict=True), strict=True):
+    for each, answers in zip(found, zip(*seen, strict=True), strict=True) if seen else ():
         if any(answers) and (each.types or not all(answers)):
             kept.setdefault((each.types, answers), each)
     return list(kept.values())
