@@ -65,7 +65,8 @@ conjuncts(Goal, Goals, Rest) :-
 
 %!  extensions(+Module, +Names, +Arities, -Found) is det.
 %
-%   What distinguishes the answers that predicates have in the current state: a hash for each, 0 where there are none.
+%   What distinguishes the answers that predicates have in the current state: a hash for each, 0 where there are none, and
+%   `error` where asking for all of them throws.
 
 extensions(Module, Names, Arities, Found) :-
     maplist(extension(Module), Names, Arities, Found).
@@ -73,8 +74,13 @@ extensions(Module, Names, Arities, Found) :-
 extension(Module, Name, Arity, Hash) :-
     functor(Head, Name, Arity),
     Head =.. [_|Args],
-    guarded_findall(Args, Module:Name/Arity, Module:Head, All),
-    (   All == []
+    (   catch(guarded_findall(Args, Module:Name/Arity, Module:Head, All), _, fail)
+    ->  true
+    ;   All = error
+    ),
+    (   All == error
+    ->  Hash = error
+    ;   All == []
     ->  Hash = 0
     ;   sort(All, Sorted),
         variant_sha1(Sorted, Hash)

@@ -140,7 +140,7 @@ def test_bias(path: Path) -> None:
     assert bias.check(domain.predicates, domain.actions) == []
     rng = np.random.default_rng(0)
     episode = generate_episode(Policy(domain, bias), rng, guidance=1.0)
-    assert len(episode.steps) <= domain.horizon(episode.steps[0].state)
+    assert len(episode.steps) <= domain.horizon(episode.steps[0].actual if episode.steps else episode.actual)
     *_, last = train(domain, bias, Options(episodes=10, min_examples=20))
     assert last.episodes == 10
 

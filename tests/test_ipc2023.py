@@ -78,12 +78,13 @@ def test_the_page_has_the_results(data: Path, done: Path, tmp_path: Path) -> Non
     assert (tmp_path / "README.md").read_text() == text  # made again from the results beside it
 
 
-def test_a_model_of_the_zoo_reads_problems_by_itself(
+def test_a_model_of_the_zoo_reads_problems_beside_its_pddl(
     data: Path, done: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     shutil.copy(ROOT / zoo.FOLDER / "README.md", tmp_path)
     zoo.write(_setting(data, done), 0, DOMAINS, tmp_path)
     text = (tmp_path / "README.md").read_text()
+    shutil.copy(LIBRARY / "domain.pddl", tmp_path / "ipc2023" / NAME)
     assert f"[{NAME}](ipc2023/{NAME})" in text and "```prolog\ndelta(1, " in text
     for name in policies.MODELS.values():
         model = tmp_path / "ipc2023" / NAME / name

@@ -54,4 +54,4 @@ def test_it_yields_before_it_learns_and_after_the_last_episode(delivery: Domain,
 def test_options_have_bounds(learner: str) -> None:
     for field in fields(LEARNERS[learner]):
         with pytest.raises(NppgError, match=field.name):
-            LEARNERS[learner](**{field.name: "neither"})
+            LEARNERS[learner](**{field.name: 7 if field.metadata.get("text") else "neither"})

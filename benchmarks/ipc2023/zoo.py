@@ -26,9 +26,9 @@ def write(setting: Setting, seed: int, domains: Sequence[str] = DOMAINS, folder:
 
 
 def copied(run: Path, folder: Path) -> None:
-    """What it takes to act by a run's models, without its problems."""
+    """What it takes to act by a run's models, without its problems and its PDDL, which are the competition's."""
     summary = json.loads((run / "run.json").read_text())
-    beside = [each["file"] for each in summary["beside"] if not each["file"].endswith("_problems.pl")]
+    beside = [each["file"] for each in summary["beside"] if not each["file"].endswith(("_problems.pl", ".pddl"))]
     folder.mkdir(parents=True, exist_ok=True)
     for name in (summary["domain"]["file"], summary["bias"]["file"], *beside, *set(MODELS.values())):
         if (run / name).exists():

@@ -6,7 +6,7 @@ facts relate the two, like road(X, Y), it is a step from X to Y, and there are d
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 
@@ -150,6 +150,8 @@ def targets(words: Words, all_schemas: Iterable[Schema], each: Moves) -> Iterato
                     bound = set(variables_of(rest))
                     new = [term for term in schema.added if set(variables_of([term])) <= {*bound, z, *others}]
                     body = (*rest, *(Negated((term,)) for term in new[:1]))
+                if not _is_bound(body):
+                    continue
                 used = set(variables_of(body))
                 if isinstance(z, Var) and z not in used:
                     continue
@@ -158,6 +160,12 @@ def targets(words: Words, all_schemas: Iterable[Schema], each: Moves) -> Iterato
                 head = Term(called, (*(others[i] for i in along), z))
                 types = (*(each.types[i] for i in along), each.kind)
                 yield Derived(called, types, (Clause(head, body),)), along
+
+
+def _is_bound(body: Sequence[Part]) -> bool:
+    """Whether what a body compares and computes is about variables that its facts bind."""
+    facts = set(variables_of(goal for goal in body if isinstance(goal, Term)))
+    return set(variables_of(goal for goal in body if isinstance(goal, Infix))) <= facts
 
 
 def _wanted(words: Words, each: Moves, todo: str) -> tuple[Derived, tuple[int, ...]]:

@@ -69,5 +69,5 @@ def text(chosen: Sequence[Derived]) -> str:
 
 
 def extensions(module: str, names: Sequence[Derived]) -> list[str | int]:
-    """What distinguishes their answers in the current state; 0 where there are none."""
+    """What distinguishes their answers in the current state; 0 where there are none, "error" where asking throws."""
     return ask("extensions", module, [each.name for each in names], [len(each.types) for each in names])

@@ -21,8 +21,8 @@ _STEPS = 60  # from each of them
 
 
 def worth_testing(domain: Domain, bias: LanguageBias) -> list[Derived]:
-    """Those that tell something in states that random actions lead to, and nothing that an earlier one tells. Raises
-    NppgError."""
+    """Those that tell something in states that random actions lead to, and nothing that an earlier one tells; whose
+    answers can all be asked for. Raises NppgError."""
     found = candidates(domain.module, bias, Words.of(bias, domain.fluents, domain.static, domain.predicates))
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, domain.path.name)
@@ -34,7 +34,7 @@ def worth_testing(domain: Domain, bias: LanguageBias) -> list[Derived]:
             raise NppgError(own) from None
     kept: dict[tuple, Derived] = {}
     for each, answers in zip(found, zip(*seen, strict=True), strict=True) if seen else ():
-        if any(answers) and (each.types or not all(answers)):
+        if "error" not in answers and any(answers) and (each.types or not all(answers)):
             kept.setdefault((each.types, answers), each)
     return list(kept.values())
 
