@@ -68,7 +68,7 @@ test(unloaded, Defined-Facts == []-[]) :-
     findall(Indicator, defines(Module, Indicator), Defined),
     interpretation(Module, Facts).
 test(tables_are_kept_as_long_as_what_they_depend_on,
-     [setup(loaded_paths(M)), cleanup(unload_domain(M)),
+     [setup(loaded_paths(M)), cleanup(unload_domain(M)), nondet,
       true([First, Kept, Second, KeptAgain, Third, Left] ==
            [[path-[b, c], far-[0-a, 1-b, 2-c], open-[b, c], way-[0-a, 1-b, 2-c]], [far, path],
             [path-[b, c], far-[0-a, 1-b, 2-c], open-[], way-[0-a]], [far, path],
