@@ -19,7 +19,8 @@ def fewer(words: Words, all_schemas: Iterable[Schema]) -> Iterator[Derived]:
     made: dict[Set, Derived] = {}
     seen = set()
     for schema in all_schemas:
-        done = [Term(TODO + str(each.name), each.args) for each in schema.added if TODO + str(each.name) in words.types]
+        done = [Term(f"{TODO}{each.name}", each.args) for each in schema.added]
+        done = [each for each in done if each.name in words.types]
         wanting = [var for var in variables_of(done) if var in schema.types]
         means = [var for var in schema.types if var not in wanting]
         for one, other in product(means, wanting):
@@ -64,9 +65,9 @@ def _count(words: Words, each: Set) -> Derived:
         Term(name, tuple(x if i == place else typed(own) for i, own in enumerate(words.types[name])))
         for name, place in asked
     )
-    both = Derived(f"both_{called}", (), (Clause(Term(f"both_{called}", (x,)), goals),), tested=False)
+    both = Derived(f"both_{called}", (), (Clause(Term(f"both_{called}", (x,)), goals),))
     name = f"number_{called}"
     goal = both(x) if len(goals) > 1 else goals[0]
     body = (Term("findall", (x, goal, found)), Term("sort", (found, once)), Term("length", (once, n)))
     needs = (both,) if len(goals) > 1 else ()
-    return Derived(name, (), (Clause(Term(name, (n,)), body),), f"{name}/1", needs, tested=False)
+    return Derived(name, (), (Clause(Term(name, (n,)), body),), f"{name}/1", needs)

@@ -14,8 +14,7 @@ GOAL, TODO = "goal_", "todo_"  # goal_on(X, Y) is what a goal wants of on(X, Y),
 @dataclass(frozen=True)
 class Derived:
     """A predicate, the types of its arguments, and its clauses. `table`: what it is tabled as, if it is; `needs`: what
-    its clauses ask for beside what the domain has; `unknown`: the places where a test may have a new variable; those
-    that only others need are not `tested`."""
+    its clauses ask for beside what the domain has; `unknown`: the places where a test may have a new variable."""
 
     name: str
     types: tuple[str, ...]
@@ -23,7 +22,6 @@ class Derived:
     table: str = ""
     needs: tuple[Derived, ...] = ()
     unknown: tuple[int, ...] = ()
-    tested: bool = True
 
     def __call__(self, *args: Part) -> Term:
         """Its literal with these arguments."""

@@ -71,7 +71,6 @@ class Ways:
 
     moves: Moves
     step: Derived
-    distance: Derived
     steps: Derived
 
     @property
@@ -89,7 +88,7 @@ def ways(each: Moves) -> Ways:
         if clause_text(clause) not in known:
             known.add(clause_text(clause))
             lines.append(clause)
-    step = Derived(name, (*types, kind, kind), tuple(lines), tested=False)
+    step = Derived(name, (*types, kind, kind), tuple(lines))
     args = tuple(map(typed, types))
     x, y, z, d, d0 = Var("X"), Var("Y"), Var("Z"), Var("D"), Var("D0")
     far, count = f"far_{each.fluent}", f"steps_{each.fluent}"
@@ -99,16 +98,15 @@ def ways(each: Moves) -> Ways:
         Clause(Term(far, (*args, z, x, d)), (Term(far, (*args, z, y, d0)), step(*args, x, y), longer)),
     )
     open_ = ", ".join("_" for _ in (*args, z, x))
-    distance = Derived(far, (), far_clauses, f"{far}({open_}, min)", (step,), tested=False)
+    distance = Derived(far, (), far_clauses, f"{far}({open_}, min)", (step,))
     steps = Derived(
         count,
         (),
         (Clause(Term(count, (*args, x, z, d)), (distance(*args, z, y, d), Infix("==", y, x))),),
         f"{count}/{len(args) + 3}",
         (distance,),
-        tested=False,
     )
-    return Ways(each, step, distance, steps)
+    return Ways(each, step, steps)
 
 
 def nearer(way: Ways) -> Derived:
@@ -255,4 +253,4 @@ def _helper(
     name: str, args: tuple[Part, ...], body: tuple[Part, ...], needs: tuple[Derived, ...], tabled: bool = False
 ) -> Derived:
     table = f"{name}/{len(args)}" if tabled else ""
-    return Derived(name, (), (Clause(Term(name, args), body),), table, needs, tested=False)
+    return Derived(name, (), (Clause(Term(name, args), body),), table, needs)
