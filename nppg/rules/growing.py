@@ -45,7 +45,7 @@ class Preferences:
         self.actions: list[Action] = []
         self.shares = np.empty(0)
         self.first: list[int] = []  # action of each state
-        self._met: set[tuple[int, int]] = set()
+        self._met: set[tuple[int, int]] = set()  # by fingerprint and identity of the static facts, which `states` keep
         self._bits: list[np.ndarray] = []
         self._rng = np.random.default_rng(0)
 
