@@ -19,7 +19,9 @@ from nppg.bias.names import atom
 from nppg.cli.main import main
 from nppg.features.bias_edit import extended
 from nppg.features.derived import Derived, Words
+from nppg.features.joins import joined
 from nppg.features.selection import candidates, text
+from nppg.pddl.clauses import Infix, Negated, Term, Var
 from nppg.worlds.deriving import worth_testing
 from nppg.worlds.domain import Domain
 from nppg.worlds.pddl_domain import import_domain
@@ -210,6 +212,38 @@ def test_fewer_compares_numbers_of_objects(vans, held: set, wanted: dict, placed
                 assert rows(domain, name, []) == ({()} if n < m else set()), name
                 tested += 1
     assert tested > 5
+
+
+@given(relation, st.dictionaries(st.sampled_from(PARCELS), st.sampled_from(PLACES)), relation, relation)
+@settings(max_examples=40)
+def test_needed_is_what_is_lacking_for_what_is_left_to_do(vans, held: set, wanted: dict, driven: set, roads) -> None:
+    """To drop a parcel where it is wanted somebody is there, and holds it; to hold it, it lies somewhere."""
+    domain, found = vans
+    facts = [f"holds(v{v}, q{q})" for q, v in sorted(held)] + [f"at(v{v}, p{x})" for v, x in sorted(driven)]
+    facts += [f"goal_in(q{q}, p{x})" for q, x in sorted(wanted.items())] + ["in(q0, p5)"]
+    domain.visit(domain.state(state_of({"v1": roads}, *facts)))
+    todo = {(q, x) for q, x in wanted.items() if (q, x) != (0, 5)}
+    holding = {q for q, _ in todo} - {q for q, _ in held}
+    expected = {
+        "needed_holds_to_drop": {(f"q{q}",) for q in holding},
+        "needed_at_to_drop": {(f"p{x}",) for _, x in todo if x not in {place for _, place in driven}},
+        "needed_in_to_load_to_drop": {(f"q{q}",) for q in holding if q != 0},
+    }
+    for name, answers in expected.items():
+        assert found[name] == 1 and rows(domain, name, ["X"]) == answers, name
+    assert "could_load_needed_holds_to_drop" in found
+    assert "could_drop_needed_holds_to_drop" not in found  # dropping brings about no holding
+
+
+@given(st.permutations(range(4)), st.sampled_from(range(5)))
+def test_goals_are_asked_in_an_order_that_binds_what_they_compare(order: list[int], count: int) -> None:
+    """Whatever their order was: first what is known, then the facts that are about it; comparisons once they can be."""
+    x, y, z, other = Var("X"), Var("Y"), Var("Z"), Var("O")
+    goals = [Term("far", (z, other)), Term("road", (x, y)), Term("road", (y, z)), Infix("\\==", x, z)]
+    unseen = Negated((Term("shut", (y, Var("W"))),))
+    given = [goals[place] for place in order]
+    found = joined([*given[:count], unseen, *given[count:]], [x])
+    assert found == (goals[1], unseen, goals[2], goals[3], goals[0])
 
 
 # ---------------------------------------------------------------- which are kept

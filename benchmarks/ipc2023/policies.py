@@ -70,7 +70,7 @@ def act(setting: Setting, part: str, domain: str, seed: int) -> None:
         if setting.results.has(**key) or not (folder / MODELS[part]).exists():
             continue
         limits = {"limit": setting.seconds, "gigabytes": setting.gigabytes}
-        how = _SEARCH.get(part, ("--horizon-factor", "2"))
+        how = _SEARCH.get(part, ("--horizon-factor", "2", "--no-revisits"))
         command = _nppg("evaluate", MODELS[part], "--json", "--seconds", str(setting.seconds), *how)
         done = run([*command, "--problems", str(task.path)], folder, setting.seconds + 5, setting.gigabytes)
         if done.is_mistaken:
@@ -93,7 +93,7 @@ def attempted(done: Ended, seconds: int) -> Line:
         "solved": solved,
         "ended": ended,
         "cost": found["cost"] if solved else None,
-        "steps": found.get("steps"),
+        **{name: found[name] for name in ("steps", "avoided") if name in found},
         "seconds": found.get("seconds"),
         "processor": done.seconds,
     }

@@ -93,7 +93,8 @@ def _on_problems(options: argparse.Namespace, policy: Policy, searches: bool, se
             revisits=not options.no_revisits,
             within=seconds,
         )
-    columns = (*_COLUMNS, "expansions") if searches else _COLUMNS
+    more = ("expansions",) if searches else ("avoided",) if options.no_revisits else ()
+    columns = (*_COLUMNS, *more)
     if options.csv:
         table = csv.writer(sys.stdout, lineterminator="\n")
         table.writerow(columns)
@@ -105,8 +106,8 @@ def _on_problems(options: argparse.Namespace, policy: Policy, searches: bool, se
     for each in found:
         done.append(each)
         if not options.json:
-            more = f"  {each.expansions:7} expansions" if searches else ""
-            print(f"{each.name:{width}}  {each.ended:8}  {each.steps:5} steps  {each.seconds:8.3f} s{more}", flush=True)
+            line = f"{each.name:{width}}  {each.ended:8}  {each.steps:5} steps  {each.seconds:8.3f} s"
+            print(line, *(f"{getattr(each, name):7} {name}" for name in more), sep="  ", flush=True)
     solved = sum(each.solved for each in done)
     if options.json:
         print(json.dumps({"solved": solved, "problems": len(done), "list": [_row(each, columns) for each in done]}))

@@ -11,6 +11,8 @@ from dataclasses import dataclass, field
 from itertools import product
 
 from nppg.features.derived import GOAL, TODO, Derived, Words, named, typed
+from nppg.features.joins import joined
+from nppg.features.needs import Need
 from nppg.features.schemas import Schema, variables_of
 from nppg.pddl.clauses import Clause, Infix, Negated, Part, Term, Var, clause_text
 
@@ -120,7 +122,9 @@ def nearer(way: Ways) -> Derived:
     return Derived(name, (*way.types, kind, kind, kind), (clause,), "", (way.steps,))
 
 
-def targets(words: Words, all_schemas: Iterable[Schema], each: Moves) -> Iterator[tuple[Derived, tuple[int, ...]]]:
+def targets(
+    words: Words, all_schemas: Iterable[Schema], all_needs: Sequence[Need], each: Moves
+) -> Iterator[tuple[Derived, tuple[int, ...]]]:
     """Sets of places: where what moves is wanted, and where an action could be taken if what moves were there, any
     action of a kind or one that has to do with what is left to do. Each with the moving arguments that it depends on,
     which come first, and the place last."""
@@ -142,22 +146,24 @@ def targets(words: Words, all_schemas: Iterable[Schema], each: Moves) -> Iterato
             ):
                 continue
             rest = tuple(goal for goal in schema.goals if goal is not literal)
-            for name, first in _purposes(words, schema):
-                body = (*first, *rest)
-                if not first:
-                    bound = set(variables_of(rest))
+            for purpose in _purposes(words, schema, all_needs):
+                body = (*purpose.goals, *rest)
+                if not purpose.is_new:
+                    bound = set(variables_of(body))
                     new = [term for term in schema.added if set(variables_of([term])) <= {*bound, z, *others}]
-                    body = (*rest, *(Negated((term,)) for term in new[:1]))
+                    body += tuple(Negated((term,)) for term in new[:1])
                 if not _is_bound(body):
                     continue
                 used = set(variables_of(body))
                 if isinstance(z, Var) and z not in used:
                     continue
                 along = tuple(i for i, arg in enumerate(others) if arg in used)
-                called = named("could", title, name)
+                called = named("could", title, purpose.name)
                 head = Term(called, (*(others[i] for i in along), z))
+                known = variables_of(head.args[:-1] if each.steps else head.args)  # steps lead to all of the places
                 types = (*(each.types[i] for i in along), each.kind)
-                yield Derived(called, types, (Clause(head, body),)), along
+                clause = Clause(head, joined(body, known))
+                yield Derived(called, types, (clause,), "", purpose.needs), along
 
 
 def _is_bound(body: Sequence[Part]) -> bool:
@@ -176,18 +182,31 @@ def _wanted(words: Words, each: Moves, todo: str) -> tuple[Derived, tuple[int, .
     )
 
 
-def _purposes(words: Words, schema: Schema) -> Iterator[tuple[str, tuple[Part, ...]]]:
-    """What is left to do that an action has to do with: none in particular, what it does, what is about its objects, or
-    about objects that static facts relate to these."""
-    yield "", ()
+@dataclass(frozen=True)
+class _Purpose:
+    """What an action is taken for: a name, goals, what is derived for these; whether they say that what the action
+    brings about is not there yet."""
+
+    name: str
+    goals: tuple[Term, ...] = ()
+    needs: tuple[Derived, ...] = ()
+    is_new: bool = False
+
+
+def _purposes(words: Words, schema: Schema, all_needs: Sequence[Need]) -> Iterator[_Purpose]:
+    """Nothing in particular; what the action brings about is left to do, or needed; something is left to do, which it
+    helps, that is about its objects, or about objects that static facts relate to these."""
+    yield _Purpose("")
     seen: set[tuple] = set()
     names: set[str] = set()
-    for term in schema.added:
-        todo = f"{TODO}{term.name}"
-        if len(words.types.get(todo, ())) == len(term.args) > 0:
-            seen.add((todo, term.args))
-            yield todo, (Term(todo, term.args),)
-    for todo, types in words.todo.items():
+    aims: dict[str, None] = {}
+    for need, term in product(all_needs, schema.added):
+        if wanted := need.of(term):
+            aims[need.aim] = None
+            seen.add((need.name, wanted.args))
+            yield _Purpose(need.name, (wanted,), need.derived, is_new=True)
+    todo_types = {todo: types for todo, types in words.todo.items() if todo in aims}
+    for todo, types in todo_types.items():
         choices = [
             [None, *(var for var, own in schema.types.items() if own and words.fits(own, type_))] for type_ in types
         ]
@@ -204,10 +223,10 @@ def _purposes(words: Words, schema: Schema) -> Iterator[tuple[str, tuple[Part, .
                 number += 1
                 name = f"{base}_{number}"
             names.add(name)
-            yield name, (Term(todo, args),)
+            yield _Purpose(name, (Term(todo, args),))
     for relation, (one, other) in _static_relations(words):
         for var, own in schema.types.items():
-            for todo, types in words.todo.items():
+            for todo, types in todo_types.items():
                 for place, type_ in enumerate(types):
                     for kind, back in ((one, False), (other, True)):
                         if not words.fits(own, kind) or not words.fits(type_, one if back else other):
@@ -217,7 +236,7 @@ def _purposes(words: Words, schema: Schema) -> Iterator[tuple[str, tuple[Part, .
                         name = named("through", relation, "back" if back else "", "for", todo, str(place + 1), own)
                         if name not in names:
                             names.add(name)
-                            yield name, (Term(relation, (x, var) if back else (var, x)), Term(todo, args))
+                            yield _Purpose(name, (Term(relation, (x, var) if back else (var, x)), Term(todo, args)))
 
 
 def _static_relations(words: Words) -> Iterator[tuple[str, tuple[str, str]]]:

@@ -11,6 +11,7 @@ from nppg.bridge.prolog import ask
 from nppg.features.counts import fewer
 from nppg.features.derived import Derived, Words, with_todo
 from nppg.features.moves import moves, nearer, targets, toward, ways
+from nppg.features.needs import needs
 from nppg.features.relations import beyond, unsettled
 from nppg.features.schemas import schemas
 from nppg.pddl.clauses import Term, clause_text, parts
@@ -24,16 +25,19 @@ def candidates(module: str, bias: Declared, words: Words) -> list[Derived]:
         types = {**words.types, **{each.name: each.types for each in more}}
         words = Words(types, words.fluents, words.static, words.subtypes, words.taken)
     all_schemas = schemas(module, bias, words)
+    all_needs = needs(words, all_schemas)
 
     def made() -> Iterator[Derived]:
         yield from more
         yield from unsettled(words)
         yield from beyond(words)
+        for need in all_needs:
+            yield from need.derived
         for each in moves(words, all_schemas):
             way = ways(each) if each.steps else None
             if way:
                 yield nearer(way)
-            for target, along in targets(words, all_schemas, each):
+            for target, along in targets(words, all_schemas, all_needs, each):
                 yield target
                 if way:
                     yield toward(way, target, along)

@@ -82,7 +82,7 @@ def search(policy: Policy, problem: int, budget: int = BUDGET, seconds: float = 
     cost: float = len(plan)
     if domain.has_costs:
         cost = sum(domain.cost(each.parent.state, each.action) for each in path if each.parent)
-    return Attempt(problem, domain.problems[problem], ended, len(plan), cost, spent, plan, tree.expanded)
+    return Attempt(problem, domain.problems[problem], ended, len(plan), cost, spent, plan, expansions=tree.expanded)
 
 
 def searched(

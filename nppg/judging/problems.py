@@ -11,6 +11,7 @@ import numpy as np
 
 from nppg.learning.episode import Episode, generate_episode
 from nppg.learning.options import at_least
+from nppg.policy.gibbs import best
 from nppg.policy.policy import Policy
 from nppg.worlds.domain import Domain
 from nppg.worlds.state import interpretation_of
@@ -28,7 +29,8 @@ _AGAIN = 3  # an episode that ends at its limit was in a loop if it has been in 
 class Attempt:
     """One episode on a problem: `ended` is solved, or what stopped it: a dead end (or another terminal state), a loop,
     the limit of steps or of time. `cost` is that of its actions by the domain's cost/2, else their number; `seconds`
-    are those of acting, of processor time. `plan`: its actions. `expansions`: those of a search."""
+    are those of acting, of processor time. `plan`: its actions. `avoided`: how many times a greedy policy took another
+    action than it would prefer, because that leads back. `expansions`: those of a search."""
 
     problem: int
     name: str
@@ -37,6 +39,7 @@ class Attempt:
     cost: float
     seconds: float
     plan: tuple[Action, ...]
+    avoided: int = 0
     expansions: int | None = None
 
     @property
@@ -78,7 +81,9 @@ def attempt(
     else:
         cost = len(plan)
     ended = _ended(episode) if within is None or seconds < within else TIME
-    return Attempt(problem, domain.problems[problem], ended, len(plan), cost, round(seconds, 3), plan)
+    avoids = greedy and not revisits
+    avoided = sum(not best(step.potentials)[step.chosen] for step in episode.steps) if avoids else 0
+    return Attempt(problem, domain.problems[problem], ended, len(plan), cost, round(seconds, 3), plan, avoided)
 
 
 def attempts(

@@ -5,8 +5,9 @@ It is about worlds where an action has one outcome, so that what has been seen o
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict, deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -40,10 +41,12 @@ class Ways:
         self.legal: list[Sequence[Action] | None] = []  # none where nobody has acted yet, or the state ends an episode
         self.tried: list[dict[Action, int]] = []  # in each state, with the state that the action leads to
         self.visits: list[int] = []  # in how many episodes each has been met
+        self.distances: dict[int, int] = {}  # the steps of the shortest known way to the goal; without one: missing
+        self.needed: dict[int, int] = {}  # the lengths of ways from states that were tried without their first steps
         self._numbers: dict[int, int] = {}
-        self._goals: set[int] = set()
-        self._ends: set[int] = set()  # other states in which episodes end
-        self._known: tuple[dict[int, int], set[int]] | None = None
+        self._before: dict[int, list[int]] = defaultdict(list)  # the states from which one is reached
+        self._ends: set[int] = set()  # states in which episodes end
+        self._dead: set[int] | None = None
 
     def number(self, state: Interpretation) -> int:
         """Of a state, a new one if it has not been met."""
@@ -60,58 +63,60 @@ class Ways:
         self.legal[state] = legal
         if action not in self.tried[state]:
             self.tried[state][action] = following
-            self._known = None
+            self._before[following].append(state)
+            self._dead = None
+            if following in self.distances:
+                self._is_within(state, self.distances[following] + 1)
         elif self.tried[state][action] != following:
             what = " and to ".join(f"({self.states[each]})" for each in (self.tried[state][action], following))
             raise NppgError(f"self-imitation is for actions that have one outcome: from one state, one leads to {what}")
 
     def end(self, state: int, is_goal: bool) -> None:
         """Learns that a state ends episodes."""
-        ends = self._goals if is_goal else self._ends
-        if state not in ends:
-            ends.add(state)
-            self._known = None
+        if state not in self._ends:
+            self._ends.add(state)
+            self._dead = None
+            if is_goal:
+                self._is_within(state, 0)
 
-    @property
-    def distances(self) -> dict[int, int]:
-        """The steps of the shortest known way to the goal, by state; those without one are missing."""
-        return self._found()[0]
+    def _is_within(self, state: int, distance: int) -> None:
+        """Learns that a state has a way of so many steps, and what that says about those before it."""
+        waiting = deque([(state, distance)])
+        while waiting:
+            state, distance = waiting.popleft()
+            if distance < self.distances.get(state, math.inf):
+                self.distances[state] = distance
+                waiting.extend((each, distance + 1) for each in self._before[state])
+
+    def distance(self, state: Interpretation) -> int | None:
+        """That of a state, none where no way is known from it."""
+        return self.distances.get(self._numbers.get(state.fingerprint, -1))
+
+    def way(self, state: int) -> list[Action]:
+        """The actions of one of the shortest known ways from a state to the goal."""
+        found = []
+        for left in range(self.distances[state] - 1, -1, -1):
+            action, state = next(each for each in self.tried[state].items() if self.distances.get(each[1]) == left)
+            found.append(action)
+        return found
 
     @property
     def dead(self) -> set[int]:
-        """The states from which no way leads to the goal: all of them have been tried."""
-        return self._found()[1]
-
-    def _found(self) -> tuple[dict[int, int], set[int]]:
-        if self._known is None:
-            before = defaultdict(list)
-            for state, tried in enumerate(self.tried):
-                for following in tried.values():
-                    before[following].append(state)
-            distances = dict.fromkeys(self._goals, 0)
-            waiting = deque(self._goals)
+        """The states from which no way leads to the goal: all but those from which a known way leads to a goal, or to a
+        state where not all has been tried."""
+        if self._dead is None:
+            alive = set(self.distances)
+            for state, (legal, tried) in enumerate(zip(self.legal, self.tried, strict=True)):
+                if state not in self._ends and (legal is None or len(tried) < len(legal)):
+                    alive.add(state)
+            waiting = deque(alive)
             while waiting:
-                state = waiting.popleft()
-                for each in before[state]:
-                    if each not in distances:
-                        distances[each] = distances[state] + 1
+                for each in self._before.get(waiting.popleft(), ()):
+                    if each not in alive:
+                        alive.add(each)
                         waiting.append(each)
-            self._known = distances, self._dead(distances, before)
-        return self._known
-
-    def _dead(self, distances: Mapping[int, int], before: Mapping[int, list[int]]) -> set[int]:
-        """All states but those from which a known way leads to a goal, or to a state where not all has been tried."""
-        alive = set(distances)
-        for state, (legal, tried) in enumerate(zip(self.legal, self.tried, strict=True)):
-            if state not in self._ends and (legal is None or len(tried) < len(legal)):
-                alive.add(state)
-        waiting = deque(alive)
-        while waiting:
-            for each in before.get(waiting.popleft(), ()):
-                if each not in alive:
-                    alive.add(each)
-                    waiting.append(each)
-        return set(range(len(self.states))) - alive
+            self._dead = set(range(len(self.states))) - alive
+        return self._dead
 
     def comparison(self, state: int, discount: float) -> Comparison | None:
         """Of what has been tried in a state, where some of it is known to be better than the rest. An action from which

@@ -41,15 +41,15 @@ modes:
 {modes}
 
 lookahead: 1
-max_variables: 4
+max_variables: 2
 tree: {{max_depth: 4, min_examples: 2}}
 options: {options}
 """
 
 # Of worlds where an action has one outcome and the goal is all that is wanted, and of others.
 _WAYS = (
-    "{imitation: self, step: second-order, discount: 0.95, floor: 0.1, min_examples: 200, replay: 1000, detours: 3,\n"
-    "  regularisation_growth: 0.05}"
+    "{imitation: self, step: second-order, models: per-action, discount: 0.95, floor: 0.1, min_examples: 200,\n"
+    "  replay: 1000, detours: 3, regularisation_growth: 0.05}"
 )
 _RETURNS = "{step: second-order, discount: 0.95, min_examples: 500}"
 

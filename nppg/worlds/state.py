@@ -99,7 +99,7 @@ class Interpretation(Sequence[Ground]):
             line = [self]
             while line[-1]._facts is None:
                 before = line[-1]._before
-                assert before
+                assert before is not None
                 line.append(before)
             found = list(line.pop()._facts or ())
             for state in reversed(line):
