@@ -27,6 +27,8 @@ HEAD = "| what | measured | against | target | met |\n|---|---|---|---|---|"
 
 
 def main() -> None:
+    if sys.argv[1:2] == ["options"]:
+        return import_module("benchmarks.options").main(sys.argv[2:])
     if sys.argv[1:2] == ["ipc2023"]:
         return import_module("benchmarks.ipc2023.command").main(sys.argv[2:])
     parser = argparse.ArgumentParser(

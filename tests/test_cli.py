@@ -87,7 +87,12 @@ def test_show_and_play(trained: Path, capsys: pytest.CaptureFixture[str]) -> Non
         (["evaluate", "MODEL", "--starts", "0"], "starts must be at least 1"),
         (["evaluate", "MODEL", "--seed", "-1"], "seed must be at least 0"),
         (["evaluate", "MODEL", "--seconds", "1"], "--seconds is for problems"),
-        (["train", "blocks_world", "--seconds", "0"], "seconds must be greater than 0"),
+        *[
+            ([*verb, "--seconds", wrong], f"seconds must be a finite number greater than 0, not {wrong}")
+            for verb in (["train", "blocks_world"], ["evaluate", "MODEL", "--problems", "1"])
+            for wrong in ("0", "-1", "nan", "inf")
+        ],
+        (["prove", "MODEL", "--show", "-1"], "show must be at least 0"),
         (["show", "MODEL", "--tree", "0"], "there is no tree 0"),
         (["show", "MODEL", "--tree", "9999"], "there is no tree 9999"),
         (["new", "Upper"], "'Upper' cannot be a domain's name"),

@@ -1,21 +1,26 @@
-"""From small problems to large ones, and a word where nothing is ever rewarded."""
+"""From small problems to large ones, and a word where all episodes come to nothing."""
 
 from __future__ import annotations
 
 import warnings
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from nppg import language_bias_of, open_domain
+from nppg.bias.language_bias import LanguageBias
 from nppg.cli.main import main
+from nppg.errors import NppgError
 from nppg.judging.problems import attempts
 from nppg.learning.curriculum import FIRST, Curriculum, curriculum_of
 from nppg.learning.options import Options
 from nppg.learning.training import Iteration, train
+from nppg.rrl import training as q_learning
+from nppg.rrl.options import TGOptions
+from nppg.worlds.domain import Domain
 
 DOORS = Path(__file__).parent / "domains" / "doors.pl"
 
@@ -27,9 +32,13 @@ def of(count: int, **more) -> Curriculum:
 def learned(problems: Sequence[int], jobs: int = 1, **options) -> tuple[list[Iteration], list[str]]:
     """What training yields on these problems, and what it warns of."""
     domain = open_domain(DOORS).with_problems(problems)
+    return heard(train(domain, language_bias_of(domain), Options(**options), jobs))
+
+
+def heard(iterations: Iterator[Iteration]) -> tuple[list[Iteration], list[str]]:
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
-        found = list(train(domain, language_bias_of(domain), Options(**options), jobs))
+        found = list(iterations)
     return found, [str(each.message) for each in told]
 
 
@@ -123,3 +132,71 @@ def test_the_command_line_shows_where_it_stands(tmp_path: Path, capsys: pytest.C
     assert main(["train", str(DOORS), "--problems", "5-9", *options, "--output", str(tmp_path)]) == 0
     said = capsys.readouterr()
     assert "problems 4/5" in said.out and said.err.count("warning: none of 60 episodes") == 1
+
+
+# ---------------------------------------------------------------- where all comes to nothing
+
+
+def world(folder: Path, clause: str, goal: bool = True) -> tuple[Domain, LanguageBias]:
+    """That of the doors with one more clause, with its goal or without: five problems too large for chance."""
+    path = folder / "doors.pl"
+    text = f"{DOORS.read_text()}\n{clause}\n"
+    path.write_text(text if goal else text.replace("goal :- room(X), last(X).", ""))
+    return Domain(path).with_problems(range(5, 10)), LanguageBias.load(DOORS.with_suffix(".yaml"))
+
+
+COSTS = "reward(_, R) :- ( goal -> R = 10 ; R = -1 )."
+
+
+def test_where_steps_cost_something_it_is_the_goal_that_counts(tmp_path: Path) -> None:
+    domain, bias = world(tmp_path, COSTS)
+    for learner in (train(domain, bias, Options(20)), q_learning.train(domain, bias, TGOptions(20))):
+        _, told = heard(learner)
+        assert len(told) == 1 and told[0].startswith("none of 20 episodes reached the goal")
+        assert "learned" not in told[0]  # they may learn from costs
+    _, told = heard(train(domain.with_problems([1]), bias, Options(20, guidance=0.0)))
+    assert not told
+
+
+def test_where_there_is_no_goal_it_is_the_rewards(tmp_path: Path) -> None:
+    domain, bias = world(tmp_path, "reward(_, 0).", goal=False)
+    _, told = heard(train(domain, bias, Options(20)))
+    assert len(told) == 1 and "none of 20 episodes was rewarded: nothing has been learned. What" in told[0]
+    domain, bias = world(tmp_path, "reward(_, -1).", goal=False)
+    assert heard(train(domain, bias, Options(20)))[1] == []
+
+
+def test_it_is_told_however_a_run_ends_but_by_a_mistake() -> None:
+    domain = open_domain(DOORS).with_problems(range(5, 10))
+    bias = language_bias_of(domain)
+    ends = iter([False] * 9 + [True])
+    _, told = heard(train(domain, bias, Options(10**6), is_over=lambda: next(ends)))
+    assert len(told) == 1 and told[0].startswith("none of 10 episodes reached the goal")
+
+    def ended_by(error: type[BaseException]) -> list[str]:
+        """What is told where a run is ended at its fourth episode."""
+        calls = iter(range(3))
+
+        def is_over() -> bool:
+            if next(calls, None) is None:
+                raise error("")
+            return False
+
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            with pytest.raises(error):
+                list(train(domain, bias, Options(10**6), is_over=is_over))
+        return [str(each.message) for each in told]
+
+    assert ended_by(NppgError) == [] and "none of 4 episodes" in "".join(ended_by(KeyboardInterrupt))
+    iterations = train(domain, bias, Options(10**6, min_examples=0))
+    with pytest.warns(UserWarning, match="none of 1 episodes"):
+        next(iterations), next(iterations)
+        iterations.close()
+
+
+def test_a_run_that_its_seconds_end_tells_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    options = ["--problems", "5-9", "--seconds", "0.05", "--evaluate-every", "0", "--output", str(tmp_path / "run")]
+    for learner in ("nppg", "tg"):
+        assert main(["train", str(DOORS), "--learner", learner, *options]) == 0
+        assert capsys.readouterr().err.count("reached the goal") == 1

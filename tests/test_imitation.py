@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nppg import language_bias_of, open_domain
+from nppg import language_bias_of, open_domain, options_of
 from nppg.bias.language_bias import LanguageBias
 from nppg.cli.main import main
 from nppg.judging.evaluation import ExactEvaluator
@@ -32,6 +32,7 @@ from nppg.worlds.domain import Domain
 from nppg.worlds.world import Action, State
 
 DOORS = Path(__file__).parent / "domains" / "doors.pl"
+LOGISTICS = DOORS.with_name("logistics.pl")
 SELF = {"imitation": "self", "step": "second-order", "discount": 0.95, "floor": 0.1, "replay": 50, "min_examples": 50}
 NOTHING = np.empty(0)
 
@@ -250,6 +251,17 @@ def test_a_policy_that_is_certain_of_a_wrong_action_unlearns_it() -> None:
             policy.add(*grown, "")
     assert policy.scores(start, actions).probabilities[right] > 0.5
     assert all(each.solved for each in attempts(policy))
+
+
+def test_two_parcels_do_not_stand_in_each_others_way() -> None:
+    """Learned from one and two, other problems with two and three are done, greedy and without going round."""
+    domain = open_domain(LOGISTICS)
+    bias = language_bias_of(domain)
+    *_, last = train(domain.with_problems(range(1, 9)), bias, options_of(bias, episodes=120, seed=0))
+    policy = last.policy
+    policy.domain = domain.with_problems([*range(22, 31, 2), *range(31, 51)])
+    solved = [each.solved for each in attempts(policy)]
+    assert sum(solved) >= 0.9 * len(solved)
 
 
 NO_GOAL = """\

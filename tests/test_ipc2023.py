@@ -100,7 +100,24 @@ def test_all_the_time_of_a_problem_counts() -> None:
     late = policies.attempted(Ended(0, output, "", 61.0), 60)
     assert (late["solved"], late["ended"], late["cost"]) == (False, "time", None)
     assert policies.attempted(Ended(-24, "", "", 65.0), 60)["ended"] == "time"
-    assert policies.attempted(Ended(2, "", "a\nnppg evaluate: a mistake\n", 2.0), 60)["ended"].endswith("a mistake")
+    short = Ended(1, "", "Traceback\nnumpy.exceptions._ArrayMemoryError: Unable to allocate\n", 2.0)
+    assert policies.attempted(short, 60)["ended"] == "memory" and not short.is_mistaken
+
+
+def test_a_mistake_is_told_and_done_again(
+    data: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    setting = _setting(data, tmp_path)
+    (folder := setting.folder(NAME, 0)).mkdir(parents=True)
+    (folder / "model.pl").touch()
+    (folder / "rules.pl").touch()
+    outcomes = [Ended(2, "", "a\nmodel.pl:1: a mistake\n", 2.0), Ended(-24, "", "", 65.0)]
+    for outcome, recorded in zip(outcomes, (0, 3), strict=True):
+        monkeypatch.setattr(policies, "run", lambda *_, outcome=outcome: outcome)
+        policies.distill(setting, NAME, 0)
+        policies.act(setting, "policy", NAME, 0)
+        assert len(Results(tmp_path).lines) == recorded
+        assert capsys.readouterr().err.count("not recorded: model.pl:1: a mistake") == 3 - recorded
 
 
 def test_lama_plans_until_it_gives_up(data: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

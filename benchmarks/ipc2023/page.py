@@ -17,6 +17,7 @@ from benchmarks.ipc2023.tasks import DOMAINS, LEVELS, references
 FOLDER = Path("docs/ipc2023")
 ACTING = {**dict.fromkeys(MODELS), PART: None}  # who acts, in the order of the columns
 TITLES = {"levin": "Levin", PART: "LAMA"}
+_TURNED = "solved without turning"
 _DOES = (*LEVELS, "quality", "cost / LAMA's", "all problems, s", "longest, s", "the others ended by")
 AIMS = {  # of 60: solved, quality
     "ferry": (60, 58), "miconic": (60, 58), "spanner": (60, 57), "blocksworld": (60, 58), "childsnack": (55, 50),
@@ -61,23 +62,23 @@ def _qualities(found: Found) -> Iterator[str]:
 
 def _policies(results: Results, found: Found) -> Iterator[str]:
     """Each domain and seed: how the policy was learned, and how it does."""
-    yield from _head(["domain", "seed", "learned in, s", "episodes", "trees", *_DOES])
+    yield from _head(["domain", "seed", "learned in, s", "episodes", "trees", _TURNED, *_DOES])
     for domain in DOMAINS:
         for seed, score in found["policy"][domain].items():
             learned = results.get(part=LEARN, domain=domain, seed=seed) or {}
             cells = [_cell(learned.get(name)) for name in ("seconds", "episodes", "trees")]
-            yield _row([domain, str(seed), *cells, *_does(score, found[PART][domain])])
+            yield _row([domain, str(seed), *cells, str(score.straight), *_does(score, found[PART][domain])])
 
 
 def _rules(results: Results, found: Found) -> Iterator[str]:
     """Likewise of the rules."""
-    yield from _head(["domain", "seed", "distilled in, s", "rules", *_DOES])
+    yield from _head(["domain", "seed", "distilled in, s", "rules", _TURNED, *_DOES])
     for domain in DOMAINS:
         for seed in found["policy"][domain]:
             if distilled := results.get(part=DISTILL, domain=domain, seed=seed):
                 cells = [_cell(distilled["seconds"]), _cell(distilled["rules"] or distilled["ended"])]
                 score = found["rules"][domain].get(seed)
-                does = _does(score, found[PART][domain]) if score else [""] * len(_DOES)
+                does = [str(score.straight), *_does(score, found[PART][domain])] if score else [""] * (1 + len(_DOES))
                 yield _row([domain, str(seed), *cells, *does])
 
 

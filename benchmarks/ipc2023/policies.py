@@ -54,10 +54,12 @@ def distill(setting: Setting, domain: str, seed: int) -> None:
     if setting.results.has(**key) or not (folder / MODELS["policy"]).exists():
         return
     done = run(_nppg("distill", MODELS["policy"]), folder, setting.distill_seconds, setting.gigabytes)
+    if done.is_mistaken:
+        _tell(key, done)
+        return
     rules = _RULE.findall((folder / MODELS["rules"]).read_text()) if done.status == 0 else []
-    ended = None if done.status == 0 else done.stopped or _last(done)
-    line = setting.results.add({**key, "seconds": done.seconds, "rules": len(rules) or None, "ended": ended})
-    print(*key.values(), line["rules"], "rules", line["seconds"], ended or "", flush=True)
+    line = setting.results.add({**key, "seconds": done.seconds, "rules": len(rules) or None, "ended": done.stopped})
+    print(*key.values(), line["rules"], "rules", line["seconds"], done.stopped or "", flush=True)
 
 
 def act(setting: Setting, part: str, domain: str, seed: int) -> None:
@@ -71,18 +73,21 @@ def act(setting: Setting, part: str, domain: str, seed: int) -> None:
         how = _SEARCH.get(part, ("--horizon-factor", "2", "--no-revisits"))
         command = _nppg("evaluate", MODELS[part], "--json", "--seconds", str(setting.seconds), *how)
         done = run([*command, "--problems", str(task.path)], folder, setting.seconds + 5, setting.gigabytes)
+        if done.is_mistaken:
+            _tell(key, done)
+            continue
         line = setting.results.add({**key, **attempted(done, setting.seconds), **limits})
         print(*key.values(), line["ended"], line["cost"], line["seconds"], line["processor"], flush=True)
 
 
 def attempted(done: Ended, seconds: int) -> Line:
-    """What came of a command that evaluates a model on one problem. Reading model and problem counts, too: `processor`
-    has all the seconds that it took, `seconds` those of acting."""
+    """What came of a command that evaluates a model on one problem, where it is no mistake. Reading model and problem
+    counts, too: `processor` has all the seconds that it took, `seconds` those of acting."""
     if done.status == 0:
         (found,) = json.loads(done.output)["list"]
         ended = found["ended"] if done.seconds <= seconds else TIME
     else:
-        found, ended = {}, done.stopped or _last(done)
+        found, ended = {}, done.stopped
     solved = ended == SOLVED
     return {
         "solved": solved,
@@ -94,9 +99,9 @@ def attempted(done: Ended, seconds: int) -> Line:
     }
 
 
-def _last(done: Ended) -> str:
-    """The mistake that a command has told."""
-    return (done.errors.strip().splitlines() or [f"exit {done.status}"])[-1][-200:]
+def _tell(key: Line, done: Ended) -> None:
+    """A mistake is no result, so that the next time it is done again."""
+    print(*key.values(), f"not recorded: {done.last}", file=sys.stderr, flush=True)
 
 
 def _nppg(*arguments: str) -> Sequence[str]:

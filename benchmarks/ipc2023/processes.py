@@ -30,7 +30,17 @@ class Ended(NamedTuple):
         """Which limit stopped it, if one did."""
         if self.status in (-signal.SIGXCPU, -signal.SIGKILL):
             return TIME
-        return MEMORY if self.status < 0 else None
+        return MEMORY if self.status < 0 or (self.status > 0 and "MemoryError" in self.last) else None
+
+    @property
+    def is_mistaken(self) -> bool:
+        """Whether neither its work nor a limit ended it."""
+        return self.status != 0 and self.stopped is None
+
+    @property
+    def last(self) -> str:
+        """The last line of its errors, which tells the mistake that ended it."""
+        return (self.errors.strip().splitlines() or [f"exit {self.status}"])[-1]
 
 
 def run(

@@ -28,6 +28,11 @@ class Score:
         return [line for line in self.lines.values() if level in (None, line["level"])]
 
     @property
+    def straight(self) -> int:
+        """How many problems it solved without taking another action than it prefers, because that leads back."""
+        return sum(line["solved"] and not line.get("avoided") for line in self.lines.values())
+
+    @property
     def quality(self) -> float:
         """The sum of reference / cost over the problems solved, each at most 1."""
         solved = {name: line["cost"] for name, line in self.lines.items() if line["solved"]}

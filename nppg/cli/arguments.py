@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 import warnings
 from collections.abc import Iterator, Sequence
@@ -82,6 +83,19 @@ def checked_search(options: argparse.Namespace) -> bool:
         if getattr(options, name) not in (False, None):
             raise NppgError(f"--{name.replace('_', '-')} is about acting, not for --search")
     return options.search is not None
+
+
+def add_seconds(parser: argparse.ArgumentParser | argparse._ArgumentGroup, help: str) -> None:
+    """A limit of time; `help` says of what."""
+    parser.add_argument("--seconds", type=float, metavar="S", help=help)
+
+
+def checked_seconds(options: argparse.Namespace) -> float | None:
+    """The limit of time, if there is one. Raises NppgError for what is none."""
+    seconds: float | None = options.seconds
+    if seconds is not None and not 0 < seconds < math.inf:  # so is NaN
+        raise NppgError(f"seconds must be a finite number greater than 0, not {seconds:g}")
+    return seconds
 
 
 def add_parameters(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:

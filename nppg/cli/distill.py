@@ -10,7 +10,7 @@ from nppg.cli.arguments import add_explain, add_model, add_parameters, add_probl
 from nppg.judging.evaluation import evaluate, evaluate_exactly, merit
 from nppg.learning.options import at_least
 from nppg.policy.policy import Policy
-from nppg.rules.distill import MAX_RULES, distilled
+from nppg.rules.distill import MAX_RULES, SECONDS, distilled
 from nppg.rules.explain import explained, sentences
 
 
@@ -23,6 +23,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_problems(judging)
     parser.add_argument(
         "--max-rules", type=int, default=MAX_RULES, metavar="N", help=f"at most so many (default: {MAX_RULES})"
+    )
+    parser.add_argument(
+        "--seconds", type=float, default=SECONDS, metavar="S", help="to find them in, about (default: %(default).0f)"
     )
     parser.add_argument("--bias", help="what the rules may test (default: the bias that the model was trained with)")
     parser.add_argument(
@@ -37,7 +40,7 @@ def run(options: argparse.Namespace) -> int:
         policy = Policy.load(options.model)
     wanted = loading.policy(options, tell=False).domain if options.set or options.problems else None
     bias = loading.bias_of(policy, options)
-    rules, report = distilled(policy, bias, options.max_rules, wanted)
+    rules, report = distilled(policy, bias, options.max_rules, wanted, options.seconds)
     problems = rules.domain.chosen
     if rules.domain.is_countable:
         result = evaluate_exactly(rules, greedy=True)

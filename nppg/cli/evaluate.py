@@ -11,7 +11,16 @@ from collections.abc import Sequence
 from dataclasses import asdict
 
 from nppg.cli import loading
-from nppg.cli.arguments import add_acting, add_model, add_parameters, add_problems, add_search, checked_search
+from nppg.cli.arguments import (
+    add_acting,
+    add_model,
+    add_parameters,
+    add_problems,
+    add_search,
+    add_seconds,
+    checked_search,
+    checked_seconds,
+)
 from nppg.errors import NppgError
 from nppg.judging.evaluation import evaluate, evaluate_exactly, merit
 from nppg.judging.levin import BUDGET, searched
@@ -35,9 +44,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     chooses.add_argument("--stochastic", action="store_true", help="draw actions by their probabilities")
     add_acting(parser)
-    parser.add_argument(
-        "--seconds", type=float, metavar="S", help="of acting or searching, after which a problem is not solved"
-    )
+    add_seconds(parser, "of acting or searching, after which a problem is not solved")
     add_search(parser)
     parser.add_argument("--seed", type=int, default=0, help="of the sampled starts, and of what is drawn (default: 0)")
     form = parser.add_mutually_exclusive_group()
@@ -47,10 +54,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Prints the success, or the return where there is no goal; of problems each one's end. Raises NppgError."""
-    searches = checked_search(options)
+    searches, seconds = checked_search(options), checked_seconds(options)
     policy = loading.policy(options)
     if options.problems:
-        _on_problems(options, policy, searches)
+        _on_problems(options, policy, searches, seconds)
         return 0
     for name in ("csv", "no_revisits", "seconds", "search"):
         if getattr(options, name):
@@ -71,13 +78,12 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _on_problems(options: argparse.Namespace, policy: Policy, searches: bool) -> None:
+def _on_problems(options: argparse.Namespace, policy: Policy, searches: bool, seconds: float | None) -> None:
     if options.exact:
         raise NppgError("--exact is about all start states, not about problems")
     if searches:
         budget = BUDGET if options.budget is None else options.budget
-        seconds = math.inf if options.seconds is None else options.seconds
-        found = searched(policy, budget, seconds, options.seed)
+        found = searched(policy, budget, math.inf if seconds is None else seconds, options.seed)
     else:
         found = attempts(
             policy,
@@ -85,7 +91,7 @@ def _on_problems(options: argparse.Namespace, policy: Policy, searches: bool) ->
             greedy=not options.stochastic,
             horizon_factor=loading.factor(options, policy),
             revisits=not options.no_revisits,
-            within=options.seconds,
+            within=seconds,
         )
     more = ("expansions",) if searches else ("avoided",) if options.no_revisits else ()
     columns = (*_COLUMNS, *more)

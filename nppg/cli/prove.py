@@ -46,6 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Prints the verdict and what fails. Raises NppgError."""
+    at_least("show", options.show, 0)
     policy = loading.policy(options, tell=False)  # what would be told is refused
     if policy.domain.chosen:
         _on_problems(options, policy)

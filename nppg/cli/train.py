@@ -8,7 +8,7 @@ from dataclasses import fields, replace
 from pathlib import Path
 
 from nppg.cli import jobs, loading
-from nppg.cli.arguments import add_domain, warnings_told
+from nppg.cli.arguments import add_domain, add_seconds, checked_seconds, warnings_told
 from nppg.cli.progress import ENDLESS, reporter
 from nppg.cli.training_options import add_training_options, chosen_options
 from nppg.errors import NppgError
@@ -54,12 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="R",
         help="stop at the first point with this mean return; points are then sampled, not exact",
     )
-    files.add_argument(
-        "--seconds",
-        type=float,
-        metavar="S",
-        help="stop with the episode after so many seconds of learning; without --episodes, not before",
-    )
+    add_seconds(files, "stop with the episode after so many seconds of learning; without --episodes, not before")
     files.add_argument("--quiet", action="store_true", help="print nothing")
     many = parser.add_argument_group("several runs")
     many.add_argument(
@@ -79,6 +74,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Learns, prints the curve's points and writes the files. Raises NppgError."""
     at_least("evaluate-every", options.evaluate_every or 0, 0)
+    seconds = checked_seconds(options)
     if options.starts is not None:
         at_least("starts", options.starts, 1)
     domain = loading.domain(options)
@@ -87,7 +83,7 @@ def run(options: argparse.Namespace) -> int:
     assert bias
     learner = learner_of(bias, options.learner)
     given = chosen_options(options, learner)
-    if options.seconds is not None and "episodes" not in {*given, *bias.options}:
+    if seconds is not None and "episodes" not in {*given, *bias.options}:
         given["episodes"] = ENDLESS
     own = {field.name for field in fields(LEARNERS[learner])}
     limits = {LIMITS[name].name: value for name, value in given.items() if name not in own}
@@ -99,11 +95,9 @@ def run(options: argparse.Namespace) -> int:
     least = options.until_return
     if least is not None and not (math.isfinite(least) and options.evaluate_every != 0):
         raise NppgError("until-return must be a finite number, and needs points of the curve (evaluate-every)")
-    if options.seconds is not None and not options.seconds > 0:
-        raise NppgError("seconds must be greater than 0")
     output = options.output or Path("runs") / (domain.name if options.seeds is None else f"{domain.name}-seeds")
     if options.seeds is not None:
-        judging = runs.judging_of(domain, options.evaluate_every, starts, until, least, options.seconds)
+        judging = runs.judging_of(domain, options.evaluate_every, starts, until, least, seconds)
         return _with_seeds(options, Job(packed(domain, bias), chosen, judging, output))
     if options.cluster is not None:
         raise NppgError("--cluster is for several runs: give --seeds")
@@ -121,7 +115,7 @@ def run(options: argparse.Namespace) -> int:
             until,
             until_return=least,
             jobs=processes,
-            seconds=options.seconds,
+            seconds=seconds,
         )
     if not options.quiet:
         print(f"written to {output}/: {', '.join(progress.written)}")

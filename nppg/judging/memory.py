@@ -55,8 +55,9 @@ class Memory:
         return not (domain.has_observation or domain.environment)
 
     def _forget(self) -> None:
-        self._places: dict[tuple[int, int], _Place] = {}  # by fingerprint and static facts
-        self._of: dict[int, _Place] = {}  # by the identity of the state
+        # by fingerprint and identity of the static facts, and by that of the state: places keep both
+        self._places: dict[tuple[int, int], _Place] = {}
+        self._of: dict[int, _Place] = {}
         self._starts: dict[tuple[int, int], tuple[State, dict[str, Any]]] = {}
         self._size = 0
 

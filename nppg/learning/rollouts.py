@@ -6,6 +6,7 @@ import time
 import warnings
 from collections import deque
 from collections.abc import Iterator, Sequence
+from types import TracebackType
 from typing import NamedTuple
 
 import numpy as np
@@ -17,7 +18,7 @@ from nppg.learning.options import Common, Options
 from nppg.policy.beside import Gone, Others
 from nppg.policy.policy import Policy
 
-SILENCE = 200  # episodes without any reward after which that is told
+SILENCE = 200  # episodes that have come to nothing after which that is told
 MANY = 50  # episodes an iteration from which on each has a generator of its own; fewer draw from that of the run
 
 
@@ -80,60 +81,81 @@ def training_episodes(
     options: Common,
     curriculum: Curriculum | None = None,
     expert: Expert | None = None,
-) -> Iterator[Episode]:
+) -> Watched:
     """The episodes of a training run, each by the policy as it is by then; what the curriculum opens is open from the
-    next one on. Warns where none of them is rewarded. Raises NppgError where no episode takes a step any more."""
+    next one on."""
     played = (
         _played(policy, rng, options, curriculum, curriculum.opened if curriculum else 0, expert)
         for _ in range(options.episodes)
     )
-    return _watched(policy, played, options, curriculum)
+    return Watched(policy, played, options, curriculum)
 
 
 def iterations_episodes(
     policy: Policy, options: Options, jobs: int, curriculum: Curriculum | None = None, expert: Expert | None = None
-) -> Iterator[Episode]:
+) -> Watched:
     """The same where many episodes are played between two trees, in up to `jobs` processes, which changes nothing; what
     the curriculum opens is open from the next tree on."""
     rollouts = Rollouts(policy, options, curriculum, expert)
-    return _watched(policy, _by_iterations(rollouts, jobs), options, curriculum)
+    return Watched(policy, _by_iterations(rollouts, jobs), options, curriculum)
 
 
-def _watched(
-    policy: Policy, episodes: Iterator[Played], options: Common, curriculum: Curriculum | None
-) -> Iterator[Episode]:
-    idle, rewarded = 0, False
-    for count, (episode, problem) in enumerate(episodes, 1):
-        idle = 0 if episode.steps else idle + 1
-        if idle == IDLE:
-            message = f"{idle} episodes took no step: their starts were goal or terminal states, or the horizon 0"
-            raise NppgError([Problem(str(policy.domain.path), 0, 0, message)])
-        rewarded = rewarded or any(step.reward for step in episode.steps)
-        if curriculum and problem is not None and not episode.guided:
-            curriculum.note(problem, episode.success)
-        if not rewarded and count in (SILENCE, options.episodes):
-            warnings.warn(_silent(policy, count, options, curriculum), stacklevel=2)
-        yield episode
+class Watched:
+    """The episodes of a training run, in `with` for as long as it goes on. Warns where all have come to nothing: none
+    has reached the goal, or none was rewarded where there is no goal; after SILENCE of them and at the end, whatever
+    ends the run but a mistake. Raises NppgError where no episode takes a step any more."""
 
+    def __init__(self, policy: Policy, played: Iterator[Played], options: Common, curriculum: Curriculum | None):
+        self._policy = policy
+        self._played = played
+        self._options = options
+        self._curriculum = curriculum
+        self._count = 0
+        self._is_rewarded = self._is_silent = False
 
-def _silent(policy: Policy, count: int, options: Common, curriculum: Curriculum | None) -> str:
-    """What is told where no episode has been rewarded."""
-    if curriculum:
-        where = f", not even on the {curriculum.opened} smallest problems"
-        wanted = ["smaller problems"]
-    elif policy.domain.chosen:
+    def __enter__(self) -> Iterator[Episode]:
+        return self._episodes()
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
+        if self._is_silent and not isinstance(error, Exception):
+            self._tell("nothing has been learned")
+
+    def _episodes(self) -> Iterator[Episode]:
+        domain, curriculum, idle, reached = self._policy.domain, self._curriculum, 0, False
+        for episode, problem in self._played:
+            self._count += 1
+            idle = 0 if episode.steps else idle + 1
+            if idle == IDLE:
+                message = f"{idle} episodes took no step: their starts were goal or terminal states, or the horizon 0"
+                raise NppgError([Problem(str(domain.path), 0, 0, message)])
+            self._is_rewarded = self._is_rewarded or any(step.reward for step in episode.steps)
+            reached = reached or (episode.success and bool(episode.steps))
+            self._is_silent = not (reached if domain.has_goal else self._is_rewarded)
+            if curriculum and problem is not None and not episode.guided:
+                curriculum.note(problem, episode.success)
+            if self._is_silent and self._count == SILENCE and self._count < self._options.episodes:
+                self._tell("nothing can be learned so far")
+            yield episode
+
+    def _tell(self, learned: str) -> None:
+        domain, curriculum, options = self._policy.domain, self._curriculum, self._options
         where = ""
-        wanted = ["smaller problems"] + ["--curriculum yes"] * (getattr(options, "curriculum", "yes") == "no")
-    else:
-        where = ""
-        wanted = ["smaller start states, or problems from small to large"]
-    if not policy.domain.has_expert:
-        wanted.append("an expert")
-    elif not options.guidance:
-        wanted.append("--guidance 0.1, for the domain has an expert")
-    wanted.append("a longer horizon (--horizon-factor 2)")
-    learned = "nothing has been learned" if count == options.episodes else "nothing can be learned so far"
-    return f"none of {count} episodes was rewarded{where}: {learned}. What may help: {'; '.join(wanted)}"
+        if curriculum:
+            where = f", not even on the {curriculum.opened} smallest problems"
+            wanted = ["smaller problems"]
+        elif domain.chosen:
+            wanted = ["smaller problems"] + ["--curriculum yes"] * (getattr(options, "curriculum", "yes") == "no")
+        else:
+            wanted = ["smaller start states, or problems from small to large"]
+        if not domain.has_expert:
+            wanted.append("an expert")
+        elif not options.guidance:
+            wanted.append("--guidance 0.1, for the domain has an expert")
+        wanted.append("a longer horizon (--horizon-factor 2)")
+        what = "reached the goal" if domain.has_goal else "was rewarded"
+        so = "" if self._is_rewarded else f": {learned}"
+        told = f"none of {self._count} episodes {what}{where}{so}. What may help: {'; '.join(wanted)}"
+        warnings.warn(told, stacklevel=3)
 
 
 def _by_iterations(rollouts: Rollouts, jobs: int) -> Iterator[Played]:

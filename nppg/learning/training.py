@@ -56,22 +56,23 @@ def train(
     curriculum = curriculum_of(domain) if options.curriculum == "yes" else None
     yield Iteration(policy, 0, (), str(curriculum or ""))
     if are_many(options):
-        episodes = iterations_episodes(policy, options, jobs, curriculum, expert)
+        watched = iterations_episodes(policy, options, jobs, curriculum, expert)
     else:
         rng = np.random.default_rng(options.seed)
-        episodes = training_episodes(policy, rng, options, curriculum, expert)
-    for count, episode in enumerate(episodes, 1):
-        recent.append(episode)
-        course.hear(episode)
-        gathered = course.gathered
-        enough = gathered > wanted(len(policy.trees), options)
-        last = count == options.episodes or is_over()
-        if not last and not (enough and len(recent) >= options.episodes_per_iteration):
-            continue
-        if enough and (grown := course.tree(policy)):
-            tree, eta = grown
-            policy.add(tree, eta, f"step size {eta}, {gathered} examples, {leaves(tree)} leaves")
-        yield Iteration(policy, count, tuple(recent), str(curriculum or ""))
-        if last:
-            return
-        recent = []
+        watched = training_episodes(policy, rng, options, curriculum, expert)
+    with watched as episodes:
+        for count, episode in enumerate(episodes, 1):
+            recent.append(episode)
+            course.hear(episode)
+            gathered = course.gathered
+            enough = gathered > wanted(len(policy.trees), options)
+            last = count == options.episodes or is_over()
+            if not last and not (enough and len(recent) >= options.episodes_per_iteration):
+                continue
+            if enough and (grown := course.tree(policy)):
+                tree, eta = grown
+                policy.add(tree, eta, f"step size {eta}, {gathered} examples, {leaves(tree)} leaves")
+            yield Iteration(policy, count, tuple(recent), str(curriculum or ""))
+            if last:
+                return
+            recent = []

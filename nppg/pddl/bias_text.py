@@ -47,7 +47,7 @@ options: {options}
 """
 
 # Of worlds where an action has one outcome and the goal is all that is wanted, and of others.
-_WAYS = (
+WAYS = (
     "{imitation: self, step: second-order, models: per-action, discount: 0.95, floor: 0.1, min_examples: 200,\n"
     "  replay: 1000, detours: 3, regularisation_growth: 0.05}"
 )
@@ -124,7 +124,7 @@ def _text(
         subtypes=subtypes,
         types=types,
         modes="\n".join(lines),
-        options=_RETURNS if does.chance or does.reward else _WAYS,
+        options=_RETURNS if does.chance or does.reward else WAYS,
     )
 
 

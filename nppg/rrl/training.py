@@ -36,7 +36,8 @@ def train(
     rng = np.random.default_rng(options.seed)
     policy = QFunction(regressor(domain, bias, options), options)
     yield Iteration(policy, 0, ())
-    for count, episode in enumerate(training_episodes(policy, rng, options, expert=expert), 1):
-        policy.regressor.update(examples(episode, policy))
-        policy.temperature = options.temperature_after(count)
-        yield Iteration(policy, count, (episode,))
+    with training_episodes(policy, rng, options, expert=expert) as episodes:
+        for count, episode in enumerate(episodes, 1):
+            policy.regressor.update(examples(episode, policy))
+            policy.temperature = options.temperature_after(count)
+            yield Iteration(policy, count, (episode,))

@@ -38,7 +38,7 @@ MAX_RULES = 15
 SECONDS = 60.0
 _PAIRS = 20_000  # of states and actions
 _ANSWERS = 8_000_000  # of these to tests
-_ROUNDS = 3
+_ROUNDS = 5
 _FAILURES = 2  # greater depths in a row that are worth no more, after which no greater one is tried
 _FINALISTS = 4  # lists that are pruned, of which the shortest remains
 _KEPT = 0.98  # of the best quality that was found
@@ -126,15 +126,21 @@ def _from_met(
     states that the best one comes to is learned, too."""
     preferences = Preferences(policy, table)
     most = min(_PAIRS, _ANSWERS // len(table))
-    preferences.add(met_in_episodes(policy), most)
+    now = time.process_time()
+    preferences.add(met_in_episodes(policy, now + (until - now) / _ROUNDS), most)
     wanted = Worth(1.0, _KEPT) if isinstance(judge, PlayedJudge) else judge.wanted()
     found: list[list[Rule]] = []
-    for _ in range(_ROUNDS):
-        for share, apart in product(GOOD, (False, True) if kinds_of_actions(bias) else (False,)):
-            found += _grown(preferences, bias, refiner, judge, wanted, share, apart, until)
+    ways = [*product(GOOD, (False, True) if kinds_of_actions(bias) else (False,))]
+    for left in range(_ROUNDS, 0, -1):
+        now = time.process_time()
+        grown_so = [
+            _grown(preferences, bias, refiner, judge, wanted, *way, now + (until - now) / left) for way in ways
+        ]
+        found += [each for own in grown_so for each in own]
         best = max(found, key=judge.worth)
         if judge.reaches(best, wanted) or not isinstance(judge, PlayedJudge) or time.process_time() > until:
             break
+        ways = [max(zip(ways, grown_so, strict=True), key=lambda each: max(map(judge.worth, each[1])))[0]]
         most += most // 2
         preferences.add(met_by_others(policy, judge.episodes(best)), most)
     least = judge.worth(best)

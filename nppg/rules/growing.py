@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import time
 from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
@@ -43,7 +45,7 @@ class Preferences:
         self.actions: list[Action] = []
         self.shares = np.empty(0)
         self.first: list[int] = []  # action of each state
-        self._met: set[tuple[int, int]] = set()
+        self._met: set[tuple[int, int]] = set()  # by fingerprint and identity of the static facts, which `states` keep
         self._bits: list[np.ndarray] = []
         self._rng = np.random.default_rng(0)
 
@@ -97,9 +99,9 @@ def met_everywhere(exact: ExactEvaluator) -> Iterator[Met]:
             yield state, legal, potentials[first[number] : first[number + 1]]
 
 
-def met_in_episodes(policy: Policy) -> Iterator[Met]:
-    """What the policy meets, in turn greedy and not: from start states that are drawn, or on the smaller half of the
-    problems."""
+def met_in_episodes(policy: Policy, until: float = math.inf) -> Iterator[Met]:
+    """What the policy meets, in turn greedy and not, until that processor time: from start states that are drawn, or on
+    the smaller half of the problems."""
     domain = policy.domain
     rng = np.random.default_rng(0)
     problems = sorted(domain.chosen, key=lambda each: domain.horizon(domain.problem(each)))
@@ -111,7 +113,7 @@ def met_in_episodes(policy: Policy) -> Iterator[Met]:
         for step in episode.steps:
             yield step.state, step.actions, step.potentials
         left -= len(episode.steps)
-        if left <= 0:
+        if left <= 0 or time.process_time() > until:
             break
 
 

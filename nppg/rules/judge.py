@@ -6,6 +6,7 @@ import time
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -75,7 +76,22 @@ class Judge(ABC):
         return result
 
 
-class ExactJudge(Judge):
+class _Once(Judge):
+    """Judges a list the first time that it is asked about it."""
+
+    def __init__(self, policy: Policy, bias: LanguageBias):
+        super().__init__(policy, bias)
+        self._known = cache(lambda ordered: self._of(self.policy(ordered)))
+
+    def worth(self, ordered: Sequence[Rule]) -> Worth:
+        return self._known(tuple(ordered))
+
+    @abstractmethod
+    def _of(self, policy: Policy) -> Worth:
+        """Of the policy of a list."""
+
+
+class ExactJudge(_Once):
     """By the success over all start states of a finite space. What the lists test is in one table with all else."""
 
     def __init__(self, policy: Policy, bias: LanguageBias, table: Table):
@@ -83,7 +99,6 @@ class ExactJudge(Judge):
         self.table = table
         self.exact = ExactEvaluator(policy)
         self._shared: ExactEvaluator | None = None
-        self._known: dict[tuple[Rule, ...], Worth] = {}
 
     def wanted(self) -> Worth:
         return Worth(self.exact.evaluate(greedy=True).success)
@@ -91,32 +106,18 @@ class ExactJudge(Judge):
     def policy(self, ordered: Sequence[Rule]) -> Policy:
         return self._policy(ordered, self.original.domain, self.table)
 
-    def worth(self, ordered: Sequence[Rule]) -> Worth:
-        key = tuple(ordered)
-        if key not in self._known:
-            policy = self.policy(ordered)
-            if self._shared is None:
-                self._shared = ExactEvaluator(policy, self.exact.space)
-            self._shared.potentials()  # asks for the answers that all others use
-            self._known[key] = Worth(self._shared.of(policy).evaluate(greedy=True).success)
-        return self._known[key]
+    def _of(self, policy: Policy) -> Worth:
+        if self._shared is None:
+            self._shared = ExactEvaluator(policy, self.exact.space)
+        self._shared.potentials()  # asks for the answers that all others use
+        return Worth(self._shared.of(policy).evaluate(greedy=True).success)
 
 
-class ReturnJudge(Judge):
+class ReturnJudge(_Once):
     """By the mean return, or the success, of sampled episodes, where nothing shows sooner how good a list is."""
-
-    def __init__(self, policy: Policy, bias: LanguageBias):
-        super().__init__(policy, bias)
-        self._known: dict[tuple[Rule, ...], Worth] = {}
 
     def wanted(self) -> Worth:
         return self._of(self.original)
-
-    def worth(self, ordered: Sequence[Rule]) -> Worth:
-        key = tuple(ordered)
-        if key not in self._known:
-            self._known[key] = self._of(self.policy(ordered))
-        return self._known[key]
 
     def _of(self, policy: Policy) -> Worth:
         problems = spread(policy.domain.chosen, _PROBLEMS)
@@ -135,7 +136,8 @@ class Trial:
 
 class PlayedJudge(Judge):
     """By episodes from the same start states for all lists, the random choices between equally good actions, too. One
-    that fails or wanders where others do not is soon found out: it plays first where lists have failed before."""
+    that fails or wanders where others do not is soon found out: it plays first where lists have failed before. Once it
+    is spent, no list that it would have to play on `reaches` anything; `worth` plays it, for it is told as it is."""
 
     def __init__(self, policy: Policy, bias: LanguageBias, domain: Domain, until: float):
         super().__init__(policy, bias)
