@@ -21,7 +21,7 @@ from nppg.features.bias_edit import extended
 from nppg.features.derived import Derived, Words
 from nppg.features.joins import joined
 from nppg.features.selection import candidates, text
-from nppg.pddl.clauses import Infix, Negated, Term, Var
+from nppg.pddl.clauses import Choice, Infix, Negated, Term, Var
 from nppg.worlds.deriving import worth_testing
 from nppg.worlds.domain import Domain
 from nppg.worlds.pddl_domain import import_domain
@@ -244,6 +244,29 @@ def test_goals_are_asked_in_an_order_that_binds_what_they_compare(order: list[in
     given = [goals[place] for place in order]
     found = joined([*given[:count], unseen, *given[count:]], [x])
     assert found == (goals[1], unseen, goals[2], goals[3], goals[0])
+
+
+def test_goals_are_joined_without_a_change_of_what_they_mean() -> None:
+    """What denies waits for what binds its variables, known or not when it is called; calls keep their order."""
+    x, y, n, found = Var("X"), Var("Y"), Var("N"), Var("Found")
+    busy, lamp, one = Negated((Term("busy", (x,)),)), Term("lamp", (x, y)), Term("one", (y,))
+    assert joined([busy, lamp], [x]) == (lamp, busy)
+    either = Choice(((Term("lit", (x, y)),), (Infix("=", x, y),)))
+    assert joined([one, either, busy], []) == (one, either, busy)
+    free = Term("free", (x,))  # free(X) :- \+ on(_, X).
+    assert joined([lamp, free], []) == (free, lamp)
+    assert joined([lamp, free], [], [free]) == (lamp, free)
+    every, length = Term("findall", (x, lamp, found)), Term("length", (found, n))
+    assert joined([every, length, one], [n], [every, length]) == (every, length, one)
+    sum_, least = Infix("is", n, Infix("+", x, y)), Infix("<", n, Term(9))
+    assert joined([lamp, sum_, least], []) == joined([least, lamp, sum_], []) == (lamp, sum_, least)
+
+
+def test_what_is_denied_of_all_is_not_asked_of_one(vans) -> None:
+    _, found = vans
+    assert "could_load_for_todo_in_parcel_any" in found
+    assert not [name for name in found if name.startswith("could_load_for") and name[-2:] == "_2"]  # on(_, P) is denied
+    assert "could_drop" in found and "toward_could_drop" not in found  # where a parcel is not: that lists no places
 
 
 # ---------------------------------------------------------------- which are kept

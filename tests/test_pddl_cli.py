@@ -12,6 +12,7 @@ import pytest
 
 from nppg import Policy, generate_episode, language_bias_of, open_domain
 from nppg.cli.main import main
+from nppg.judging.problems import attempts
 from nppg.worlds.opening import with_problems
 
 LIBRARY = Path(__file__).parent.parent / "examples" / "library"
@@ -89,6 +90,15 @@ def test_without_revisits_no_state_comes_twice_while_there_is_another(model: str
             if tuple(following) in met:
                 assert all(tuple(domain.certain(step.actual, action)) in met for action in step.actions)
         assert len(met) > len(episode.steps) // 2
+
+
+def test_what_a_greedy_policy_avoids_is_counted_also_where_it_is_not_told_to_be_greedy(model: str) -> None:
+    policy = Policy.load(model)
+    policy.domain = with_problems(policy.domain, [], sorted(LIBRARY.glob("p*.pddl")))
+    told = [each.avoided for each in attempts(policy, revisits=False)]
+    assert any(told) and not any(each.avoided for each in attempts(policy, greedy=False, revisits=False))
+    policy.greedy = True
+    assert [each.avoided for each in attempts(policy, greedy=False, revisits=False)] == told
 
 
 def test_an_imported_folder_is_a_domain_like_any_other(

@@ -28,7 +28,7 @@ def main(arguments: Sequence[str]) -> None:
     add("--seeds", type=_seeds, default=[0], metavar="NUMBERS", help="(default: 0)")
     add("--problems", type=int, metavar="N", help="the first N of each level (default: all)")
     add("--learn-seconds", type=int, default=900, metavar="S", help="for a domain (default: 900)")
-    add("--distill-seconds", type=int, default=600, metavar="S", help="for its rules (default: 600)")
+    add("--distill-seconds", type=int, default=120, metavar="S", help="for its rules, about (default: 120)")
     add("--seconds", type=int, default=60, metavar="S", help="for a problem (default: 60)")
     add("--gigabytes", type=int, default=8, metavar="N", help="for a problem (default: 8)")
     add("--give-up", type=int, default=5, metavar="N", help="LAMA: after N unsolved ones in a row (default: 5)")

@@ -17,6 +17,7 @@ from benchmarks.ipc2023.tasks import LEVELS, SOLVED, Setting
 LEARN, DISTILL = "learn", "distill"
 MODELS = {"policy": "model.pl", "rules": "rules.pl", "levin": "model.pl"}  # what acts, by the part that judges it
 _SEARCH = {"levin": ("--search", "levin", "--budget", str(10**9))}  # the seconds end it
+_ACTS = ("--no-revisits",)  # how policies act, and rules are judged
 _RULE = re.compile(r"^delta\(1, ", re.MULTILINE)
 
 
@@ -53,7 +54,8 @@ def distill(setting: Setting, domain: str, seed: int) -> None:
     folder = setting.folder(domain, seed)
     if setting.results.has(**key) or not (folder / MODELS["policy"]).exists():
         return
-    done = run(_nppg("distill", MODELS["policy"]), folder, setting.distill_seconds, setting.gigabytes)
+    command = _nppg("distill", MODELS["policy"], *_ACTS, "--seconds", str(setting.distill_seconds))
+    done = run(command, folder, 2 * setting.distill_seconds + 60, setting.gigabytes)
     if done.is_mistaken:
         _tell(key, done)
         return
@@ -70,7 +72,7 @@ def act(setting: Setting, part: str, domain: str, seed: int) -> None:
         if setting.results.has(**key) or not (folder / MODELS[part]).exists():
             continue
         limits = {"limit": setting.seconds, "gigabytes": setting.gigabytes}
-        how = _SEARCH.get(part, ("--horizon-factor", "2", "--no-revisits"))
+        how = _SEARCH.get(part, ("--horizon-factor", "2", *_ACTS))
         command = _nppg("evaluate", MODELS[part], "--json", "--seconds", str(setting.seconds), *how)
         done = run([*command, "--problems", str(task.path)], folder, setting.seconds + 5, setting.gigabytes)
         if done.is_mistaken:

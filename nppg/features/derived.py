@@ -63,6 +63,10 @@ class Words:
         """Whether an object may be of both types."""
         return other in upwards(self.subtypes, type_) or type_ in upwards(self.subtypes, other)
 
+    def has_facts(self, name: str) -> bool:
+        """Whether a predicate is what states say, so that it may be asked whatever is known of its arguments."""
+        return name in self.fluents or name in self.static
+
     def is_type(self, name: str) -> bool:
         """Whether a predicate is a type, so that it tells nothing of its objects."""
         return any(name in own for own in self.types.values())

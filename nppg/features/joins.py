@@ -2,29 +2,45 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 
 from nppg.features.schemas import variables_of
-from nppg.pddl.clauses import Part, Term, Var
+from nppg.pddl.clauses import Infix, Negated, Part, Term, Var
 
 
-def joined(goals: Iterable[Part], known: Iterable[Var]) -> tuple[Part, ...]:
-    """The goals in another order, for a clause of which some variables are `known` when it is called: next comes the
-    fact with the fewest new variables, of these the one with the most known ones, so that few answers are looked
-    through in vain; what compares or denies comes as soon as all is known that it shares with others."""
-    left, bound = list(goals), set(known)
-    own = {id(goal): set(variables_of([goal])) for goal in left}
+def joined(goals: Iterable[Part], known: Iterable[Var], calls: Collection[Part] = ()) -> tuple[Part, ...]:
+    """The goals in another order, for a clause of which some variables are mostly `known` when it is called: next comes
+    the fact with the fewest new variables, of these the one with the most known ones, so that few answers are looked
+    through in vain; what compares or denies comes as soon as others have bound all that it shares with them, also where
+    that is known. Terms among `calls` are no facts: they, choices and what computes stay in front of or behind the
+    facts, and one another, with which they share unbound variables."""
+    all_, bound, met = list(goals), set(known), set[Var]()
+    own = {id(goal): set(variables_of([goal])) for goal in all_}
+    checks = [goal for goal in all_ if _binds_nothing(goal)]
+    left = [goal for goal in all_ if not _binds_nothing(goal)]
+    fixed = {id(goal) for goal in left if goal in calls or not isinstance(goal, Term)}
     done: list[Part] = []
-    while left:
-        facts = [goal for goal in left if isinstance(goal, Term)]
-        checks = [goal for goal in left if goal not in facts]
-        shared = set().union(*(own[id(goal)] for goal in facts))
-        ready = [goal for goal in checks if not (own[id(goal)] - bound) & shared]
-        if ready:
-            chosen: Part = ready[0]
-        else:
-            chosen = min(facts, key=lambda goal: (len(own[id(goal)] - bound), -len(own[id(goal)] & bound)))
-        left = [goal for goal in left if goal is not chosen]
-        bound |= own[id(chosen)]
-        done.append(chosen)
+
+    def is_free(place: int) -> bool:
+        goal = id(left[place])
+        return not any(
+            (own[goal] & own[id(other)]) - met for other in left[:place] if goal in fixed or id(other) in fixed
+        )
+
+    while checks or left:
+        open_ = set().union(*(own[id(goal)] for goal in left)) - met
+        ready = [goal for goal in checks if not own[id(goal)] & open_]
+        done += ready
+        checks = [goal for goal in checks if goal not in ready]
+        if left:
+            free = [goal for place, goal in enumerate(left) if is_free(place)]
+            chosen = min(free, key=lambda goal: (len(own[id(goal)] - bound), -len(own[id(goal)] & bound)))
+            left = [goal for goal in left if goal is not chosen]
+            bound |= own[id(chosen)]
+            met |= own[id(chosen)]
+            done.append(chosen)
     return tuple(done)
+
+
+def _binds_nothing(goal: Part) -> bool:
+    return isinstance(goal, Negated) or (isinstance(goal, Infix) and goal.operator not in ("is", "="))

@@ -146,6 +146,7 @@ def targets(
             ):
                 continue
             rest = tuple(goal for goal in schema.goals if goal is not literal)
+            calls = [goal for goal in rest if isinstance(goal, Term) and not words.has_facts(str(goal.name))]
             for purpose in _purposes(words, schema, all_needs):
                 body = (*purpose.goals, *rest)
                 if not purpose.is_new:
@@ -162,7 +163,7 @@ def targets(
                 head = Term(called, (*(others[i] for i in along), z))
                 known = variables_of(head.args[:-1] if each.steps else head.args)  # steps lead to all of the places
                 types = (*(each.types[i] for i in along), each.kind)
-                clause = Clause(head, joined(body, known))
+                clause = Clause(head, joined(body, known, calls))
                 yield Derived(called, types, (clause,), "", purpose.needs), along
 
 
@@ -170,6 +171,13 @@ def _is_bound(body: Sequence[Part]) -> bool:
     """Whether what a body compares and computes is about variables that its facts bind."""
     facts = set(variables_of(goal for goal in body if isinstance(goal, Term)))
     return set(variables_of(goal for goal in body if isinstance(goal, Infix))) <= facts
+
+
+def are_listed(target: Derived) -> bool:
+    """Whether the places of a set can be asked for, and are not only what something is denied of."""
+    place = target.clauses[0].head.args[-1]  # type: ignore[union-attr]
+    facts = (goal for goal in target.clauses[0].body if isinstance(goal, Term))
+    return not isinstance(place, Var) or place in variables_of(facts)
 
 
 def _wanted(words: Words, each: Moves, todo: str) -> tuple[Derived, tuple[int, ...]]:
@@ -206,10 +214,10 @@ def _purposes(words: Words, schema: Schema, all_needs: Sequence[Need]) -> Iterat
             seen.add((need.name, wanted.args))
             yield _Purpose(need.name, (wanted,), need.derived, is_new=True)
     todo_types = {todo: types for todo, types in words.todo.items() if todo in aims}
+    named_ones = variables_of((schema.action, *schema.literals))  # not those of what is denied alone
+    objects = {var: own for var, own in schema.types.items() if own and var in named_ones}
     for todo, types in todo_types.items():
-        choices = [
-            [None, *(var for var, own in schema.types.items() if own and words.fits(own, type_))] for type_ in types
-        ]
+        choices = [[None, *(var for var, own in objects.items() if words.fits(own, type_))] for type_ in types]
         count = 0
         for chosen in product(*choices):
             taken = [each for each in chosen if each is not None]
@@ -217,7 +225,7 @@ def _purposes(words: Words, schema: Schema, all_needs: Sequence[Need]) -> Iterat
                 continue
             count += 1
             args = tuple(typed(type_) if var is None else var for var, type_ in zip(chosen, types, strict=True))
-            base = name = named("for", todo, *("any" if var is None else schema.types[var] for var in chosen))
+            base = name = named("for", todo, *("any" if var is None else objects[var] for var in chosen))
             number = 1
             while name in names:
                 number += 1
@@ -225,7 +233,7 @@ def _purposes(words: Words, schema: Schema, all_needs: Sequence[Need]) -> Iterat
             names.add(name)
             yield _Purpose(name, (Term(todo, args),))
     for relation, (one, other) in _static_relations(words):
-        for var, own in schema.types.items():
+        for var, own in objects.items():
             for todo, types in todo_types.items():
                 for place, type_ in enumerate(types):
                     for kind, back in ((one, False), (other, True)):

@@ -81,4 +81,5 @@ def _about(literal: Term, lasting: Sequence[Term], given: set[Var]) -> list[Term
 
 
 def _renamed(literal: Term, names: dict[Var, Var]) -> Term:
-    return Term(literal.name, tuple(names.get(arg, arg) if isinstance(arg, Var) else arg for arg in literal.args))
+    renamed = (names.get(arg, arg) if isinstance(arg, Var) else arg for arg in literal.args)
+    return Term(literal.name, tuple(_renamed(arg, names) if isinstance(arg, Term) else arg for arg in renamed))

@@ -10,7 +10,7 @@ from nppg.bias.names import is_name
 from nppg.bridge.prolog import ask
 from nppg.features.counts import fewer
 from nppg.features.derived import Derived, Words, with_todo
-from nppg.features.moves import moves, nearer, targets, toward, ways
+from nppg.features.moves import are_listed, moves, nearer, targets, toward, ways
 from nppg.features.needs import needs
 from nppg.features.relations import beyond, unsettled
 from nppg.features.schemas import schemas
@@ -39,7 +39,7 @@ def candidates(module: str, bias: Declared, words: Words) -> list[Derived]:
                 yield nearer(way)
             for target, along in targets(words, all_schemas, all_needs, each):
                 yield target
-                if way:
+                if way and are_listed(target):
                     yield toward(way, target, along)
         yield from fewer(words, all_schemas)
 

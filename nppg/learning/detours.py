@@ -84,7 +84,8 @@ def _detour(ways: Ways, number: int, policy: Policy, rng: np.random.Generator) -
             ways.end(number, status == "goal")
             return taken
         legal = list(actions)
-        if possible := [each for each in way if each in legal]:
+        among = set(legal)
+        if possible := [each for each in way if each in among]:
             action = possible[0]
             way.remove(action)
         else:

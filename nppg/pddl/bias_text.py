@@ -41,8 +41,8 @@ modes:
 {modes}
 
 lookahead: 1
-max_variables: 2
-tree: {{max_depth: 4, min_examples: 2}}
+max_variables: {variables}
+tree: {{max_depth: {depth}, min_examples: 2}}
 options: {options}
 """
 
@@ -114,6 +114,7 @@ def _text(
         f"  {each.name}: [{', '.join(names.types[type_] if type_ else number for type_ in each.types)}]"
         for each in kept
     )
+    returns = does.chance or does.reward
     return _TEXT.format(
         name=domain.name,
         count=count,
@@ -124,7 +125,9 @@ def _text(
         subtypes=subtypes,
         types=types,
         modes="\n".join(lines),
-        options=_RETURNS if does.chance or does.reward else WAYS,
+        variables=4 if returns else 2,
+        depth=4 if returns or len(actions) == 1 else 3,  # below the kind of action
+        options=_RETURNS if returns else WAYS,
     )
 
 

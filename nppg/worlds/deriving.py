@@ -40,11 +40,13 @@ def worth_testing(domain: Domain, bias: LanguageBias) -> list[Derived]:
 
 
 def _seen(domain: Domain, starts: Sequence[State], found: Sequence[Derived]) -> list[list[str | int]]:
-    """What tells the answers of all of them apart, by state."""
-    seen = []
+    """What tells the answers of all of them apart, by state; what has once been in error stays so."""
+    seen, asked = [], found
     for state in _states(domain, starts):
         domain.visit(state)
-        seen.append(extensions(domain.module, found))
+        answers = dict(zip((each.name for each in asked), extensions(domain.module, asked), strict=True))
+        asked = [each for each in asked if answers[each.name] != "error"]
+        seen.append([answers.get(each.name, "error") for each in found])
     return seen
 
 
