@@ -57,6 +57,11 @@ def add_acting(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--horizon-factor", type=float, metavar="FLOAT", help="of the domain's horizon (default: as in training)"
     )
+    add_no_revisits(parser)
+
+
+def add_no_revisits(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
+    """Whether an episode comes back."""
     parser.add_argument(
         "--no-revisits",
         action="store_true",

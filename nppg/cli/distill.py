@@ -6,7 +6,16 @@ import argparse
 from pathlib import Path
 
 from nppg.cli import loading
-from nppg.cli.arguments import add_explain, add_model, add_parameters, add_problems, warnings_told
+from nppg.cli.arguments import (
+    add_explain,
+    add_model,
+    add_no_revisits,
+    add_parameters,
+    add_problems,
+    add_seconds,
+    checked_seconds,
+    warnings_told,
+)
 from nppg.judging.evaluation import evaluate, evaluate_exactly, merit
 from nppg.learning.options import at_least
 from nppg.policy.policy import Policy
@@ -21,12 +30,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     judging = parser.add_argument_group("what the rules are judged on (default: what the policy was trained on)")
     add_parameters(judging)
     add_problems(judging)
+    add_no_revisits(judging)
     parser.add_argument(
         "--max-rules", type=int, default=MAX_RULES, metavar="N", help=f"at most so many (default: {MAX_RULES})"
     )
-    parser.add_argument(
-        "--seconds", type=float, default=SECONDS, metavar="S", help="to find them in, about (default: %(default).0f)"
-    )
+    add_seconds(parser, f"about so many, to find the rules in (default: {SECONDS:.0f})")
     parser.add_argument("--bias", help="what the rules may test (default: the bias that the model was trained with)")
     parser.add_argument(
         "--output", type=Path, metavar="FILE", help="the rules' model file (default: MODEL's folder, rules.pl)"
@@ -36,16 +44,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Prints and writes the rules with their success. Raises NppgError."""
     at_least("max-rules", options.max_rules, 1)
+    seconds = checked_seconds(options)
     with warnings_told():
         policy = Policy.load(options.model)
     wanted = loading.policy(options, tell=False).domain if options.set or options.problems else None
     bias = loading.bias_of(policy, options)
-    rules, report = distilled(policy, bias, options.max_rules, wanted, options.seconds)
+    rules, report = distilled(policy, bias, options.max_rules, wanted, seconds or SECONDS, not options.no_revisits)
     problems = rules.domain.chosen
     if rules.domain.is_countable:
         result = evaluate_exactly(rules, greedy=True)
     else:
-        result = evaluate(rules, seed=1, greedy=True, problems=problems)
+        result = evaluate(rules, seed=1, greedy=True, problems=problems, revisits=not options.no_revisits)
     judged, value = merit(rules, result)
     output = options.output or options.model.with_name("rules.pl")
     beside = Path(bias.file).resolve().parent == output.resolve().parent

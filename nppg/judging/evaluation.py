@@ -46,10 +46,12 @@ def evaluate(
     greedy: bool = False,
     horizon_factor: float = 1.0,
     problems: Sequence[int] = (),
+    revisits: bool = True,
 ) -> Evaluation:
     """Sampled: one episode from each of `starts` random start states, from a generator of its own; or, where they are
-    given, from each of these problems of the domain. States that are met again are not asked about again."""
-    return _evaluated(policy, _remembering(policy, None), starts, seed, greedy, horizon_factor, problems)
+    given, from each of these problems of the domain. States that are met again are not asked about again. `revisits`:
+    whether an episode may come back to a state while there is another action."""
+    return _evaluated(policy, _remembering(policy, None), starts, seed, greedy, horizon_factor, problems, revisits)
 
 
 def evaluate_both(
@@ -81,6 +83,7 @@ def _evaluated(
     greedy: bool,
     horizon_factor: float,
     problems: Sequence[int],
+    revisits: bool = True,
 ) -> Evaluation:
     starts, seed = len(problems) or at_least("starts", starts, 1), at_least("seed", seed, 0)
     greedy = greedy or policy.greedy
@@ -89,7 +92,15 @@ def _evaluated(
     successes, steps, found = 0, 0, []
     for i in range(starts):
         start = player.domain.problem(problems[i]) if problems else None
-        episode = generate_episode(player, rng, greedy=greedy, horizon_factor=horizon_factor, start=start, scored=False)
+        episode = generate_episode(
+            player,
+            rng,
+            greedy=greedy,
+            horizon_factor=horizon_factor,
+            start=start,
+            revisits=revisits,
+            scored=False,
+        )
         successes += episode.success
         steps += len(episode.steps)
         found.append(episode.undiscounted)

@@ -82,7 +82,8 @@ def attempt(
         cost = len(plan)
     ended = _ended(episode) if within is None or seconds < within else TIME
     avoids = (greedy or policy.greedy) and not revisits
-    avoided = sum(not best(step.potentials)[step.chosen] for step in episode.steps) if avoids else 0
+    turned = (step for step in episode.steps if avoids and len(step.potentials))
+    avoided = sum(not best(step.potentials)[step.chosen] for step in turned)
     return Attempt(problem, domain.problems[problem], ended, len(plan), cost, round(seconds, 3), plan, avoided)
 
 

@@ -107,7 +107,7 @@ def generate_episode(
     off, by its environment, after horizon_factor times the domain's horizon, or when it is not over `within` so many
     seconds of processor time. Without `revisits` no action is taken that leads for certain to a state that the episode
     has been in, while there is another one. Where not all actions need be `scored`, a greedy list of rules is asked for
-    a best one alone.
+    a best one alone, unless that leads back.
 
     With probability `guidance` the whole episode is a trace of the `expert`, by default the domain's own; where it has
     no advice, the policy acts: greedily, if it is to or does so wherever it does not learn; of its other actions the
@@ -122,15 +122,15 @@ def generate_episode(
     most = longest(domain.horizon(state), horizon_factor)
     until = None if within is None else time.process_time() + within
     steps: list[Step] = []
-    lean = greedy and revisits and not (scored or guided or learning or domain.has_observation)
+    lean = greedy and not (scored or guided or learning or domain.has_observation)
     lean = lean and policy.is_rules
     status, actions = domain.situation(state, lean)
     while status == "running" and len(steps) < most and not _is_over(until):
         seen = domain.observe(state, rng)
         advice: list[Action] = []
-        if lean:
-            actions, answers, potentials, probabilities = [policy.prefer(seen, rng)], _NOTHING, _NOTHING, _NOTHING
-            chosen = 0
+        best = policy.prefer(seen, rng) if lean else None
+        if best is not None and not _leads_back(domain, state, best, met):
+            actions, answers, potentials, probabilities = [best], _NOTHING, _NOTHING, _NOTHING
         else:
             if learning and type(actions) is not list:
                 actions = list(actions)  # while they are at hand
@@ -138,9 +138,11 @@ def generate_episode(
             advice = [each for each in advise(state) if each in actions] if guided else []
         if advice:
             chosen = actions.index(advice[int(rng.random() * len(advice))])
-        elif not lean:
+        elif best is not None:
+            chosen = actions.index(best)
+        else:
             chosen = choose_best(potentials, rng) if greedy else choose(_floored(probabilities, floor), rng)
-        if met is not None and not advice:
+        if met is not None and len(actions) > 1 and not advice:
             weights = potentials if greedy else probabilities
             chosen = _leading_on(domain, state, actions, weights, chosen, met, greedy, rng)
         lean = lean or len(steps) + 1 == most  # nobody acts in the last state
@@ -175,10 +177,7 @@ def _leading_on(
     """The action that is chosen where those that lead back are left out, by potentials if it is greedy, else by
     probabilities; the first choice where all of them do."""
     chosen, left = first, np.arange(len(actions))
-    while True:
-        following = domain.certain(state, actions[chosen])
-        if following is None or interpretation_of(following).fingerprint not in met:
-            return chosen
+    while _leads_back(domain, state, actions[chosen], met):
         left = left[left != chosen]
         if len(left) == 0:
             return first
@@ -187,3 +186,10 @@ def _leading_on(
             chosen = int(left[choose_best(own, rng)])
         else:
             chosen = int(left[choose(own / own.sum() if own.sum() > 0 else np.full(len(own), 1 / len(own)), rng)])
+    return chosen
+
+
+def _leads_back(domain: World, state: State, action: Action, met: Collection[int] | None) -> bool:
+    """Whether an action leads for certain to one of the states `met`, if these count."""
+    following = None if met is None else domain.certain(state, action)
+    return following is not None and met is not None and interpretation_of(following).fingerprint in met

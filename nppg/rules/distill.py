@@ -64,9 +64,11 @@ def distilled(
     max_rules: int = MAX_RULES,
     judged: Domain | None = None,
     seconds: float = SECONDS,
+    revisits: bool = True,
 ) -> Distilled:
     """The same with a report, in about `seconds` of the processor's time, half of them to grow rules and half to prune
-    them; what is found does not hang on these unless they run out."""
+    them; what is found does not hang on these unless they run out. `revisits`: whether an episode may come back to a
+    state while there is another action."""
     begun = time.process_time()
     if judged is not None and judged.is_countable:
         policy = in_domain(policy, judged)
@@ -81,7 +83,7 @@ def distilled(
         if not domain.has_goal or domain.environment:
             judge = ReturnJudge(policy, bias)
         else:
-            judge = PlayedJudge(policy, bias, judged or domain, begun + seconds)
+            judge = PlayedJudge(policy, bias, judged or domain, begun + seconds, revisits)
         ordered = _from_met(policy, bias, refiner, table, judge, begun + seconds / 2)
     while len(ordered) > max(max_rules, 1):
         ordered = max(one_less(ordered), key=judge.worth)
@@ -123,7 +125,8 @@ def _from_met(
     policy: Policy, bias: LanguageBias, refiner: Refiner, table: Table, judge: Judge, until: float
 ) -> list[Rule]:
     """Pruned rules, grown from states that the policy meets. Where no list is good, what the policy would do in the
-    states that the best one comes to is learned, too."""
+    states that the best one comes to is learned, too (DAgger: Ross, Gordon and Bagnell 2011), in the way that has done
+    best."""
     preferences = Preferences(policy, table)
     most = min(_PAIRS, _ANSWERS // len(table))
     now = time.process_time()
@@ -131,16 +134,21 @@ def _from_met(
     wanted = Worth(1.0, _KEPT) if isinstance(judge, PlayedJudge) else judge.wanted()
     found: list[list[Rule]] = []
     ways = [*product(GOOD, (False, True) if kinds_of_actions(bias) else (False,))]
+    first = DEPTHS.start
     for left in range(_ROUNDS, 0, -1):
         now = time.process_time()
-        grown_so = [
-            _grown(preferences, bias, refiner, judge, wanted, *way, now + (until - now) / left) for way in ways
+        round_ends = now + (until - now) / left
+        lists = [
+            (judge.worth(each), depth, way, each)
+            for way in ways
+            for depth, each in _grown(preferences, bias, refiner, judge, wanted, *way, first, round_ends).items()
         ]
-        found += [each for own in grown_so for each in own]
+        found += [each for *_, each in lists]
         best = max(found, key=judge.worth)
         if judge.reaches(best, wanted) or not isinstance(judge, PlayedJudge) or time.process_time() > until:
             break
-        ways = [max(zip(ways, grown_so, strict=True), key=lambda each: max(map(judge.worth, each[1])))[0]]
+        _, depth, way, _ = max(lists, key=lambda each: each[0])
+        ways, first = [way], max(depth - 1, DEPTHS.start)
         most += most // 2
         preferences.add(met_by_others(policy, judge.episodes(best)), most)
     least = judge.worth(best)
@@ -163,20 +171,22 @@ def _grown(
     wanted: Worth,
     good: float,
     apart: bool,
+    first: int,
     until: float,
-) -> list[list[Rule]]:
-    """Lists of growing depth, until one is worth what is wanted, or deeper ones are worth no more; at least one."""
-    found: list[list[Rule]] = []
+) -> dict[int, list[Rule]]:
+    """Lists of growing depth, from the first one on, until one is worth what is wanted, or deeper ones are worth no
+    more; at least one."""
+    found: dict[int, list[Rule]] = {}
     examples = preferences.examples(good)
     agreement = Agreement(examples, preferences.first, preferences.table)
-    best = failures = 0
-    for depth in DEPTHS:
+    best, failures = first, 0
+    for depth in range(first, DEPTHS.stop):
         candidate = agreement.shortened(grown(examples, bias, preferences.table, refiner, depth, apart), refiner)
-        if found and not judge.reaches(candidate, judge.worth(found[best])):
-            failures += 1
-        elif not found or judge.worth(candidate) > judge.worth(found[best]):
-            best, failures = len(found), 0
-            found.append(candidate)
+        if not found or (
+            judge.reaches(candidate, judge.worth(found[best])) and judge.worth(candidate) > judge.worth(found[best])
+        ):
+            best, failures = depth, 0
+            found[depth] = candidate
         else:
             failures += 1
         if judge.worth(found[best]).reaches(wanted) or failures == _FAILURES or time.process_time() > until:

@@ -139,10 +139,11 @@ class PlayedJudge(Judge):
     that fails or wanders where others do not is soon found out: it plays first where lists have failed before. Once it
     is spent, no list that it would have to play on `reaches` anything; `worth` plays it, for it is told as it is."""
 
-    def __init__(self, policy: Policy, bias: LanguageBias, domain: Domain, until: float):
+    def __init__(self, policy: Policy, bias: LanguageBias, domain: Domain, until: float, revisits: bool = True):
         super().__init__(policy, bias)
         self.domain = domain
-        self.trials = _trials(policy if domain is policy.domain else in_domain(policy, domain), domain)
+        self.revisits = revisits
+        self.trials = _trials(policy if domain is policy.domain else in_domain(policy, domain), domain, revisits)
         if not self.trials:
             raise NppgError(f"{domain.path}: no start state to judge rules on: all are goal or terminal states")
         self._best = [trial.steps for trial in self.trials]
@@ -214,7 +215,13 @@ class PlayedJudge(Judge):
         factor = longest / trial.horizon if trial.horizon else 1.0
         rng = np.random.default_rng([0, number])
         episode = generate_episode(
-            policy, rng, horizon_factor=factor, greedy=True, start=trial.start, scored=False
+            policy,
+            rng,
+            horizon_factor=factor,
+            greedy=True,
+            start=trial.start,
+            revisits=self.revisits,
+            scored=False,
         )
         self._left -= len(episode.steps)
         return episode
@@ -248,14 +255,14 @@ def in_domain(policy: Policy, domain: Domain) -> Policy:
     return other
 
 
-def _trials(policy: Policy, domain: Domain) -> list[Trial]:
+def _trials(policy: Policy, domain: Domain, revisits: bool) -> list[Trial]:
     """Start states of all sizes, the smallest first, with what the policy does there."""
     found: list[Trial] = []
     rng = np.random.default_rng(0)
     for name, start in by_size(domain, rng):
         if domain.situation(start).status == "running":
             own = np.random.default_rng([0, len(found)])
-            episode = generate_episode(policy, own, greedy=True, start=start)
+            episode = generate_episode(policy, own, greedy=True, start=start, revisits=revisits)
             steps = len(episode.steps) if episode.success else None
             found.append(Trial(name, start, domain.horizon(start), steps))
     return found
