@@ -14,6 +14,7 @@ from nppg.errors import NppgError
 from nppg.features.derived import Derived, Words
 from nppg.features.selection import candidates, extensions, text
 from nppg.worlds.domain import Domain
+from nppg.worlds.state import static_of
 from nppg.worlds.world import State
 
 _STARTS = 20  # from which states are drawn
@@ -40,13 +41,20 @@ def worth_testing(domain: Domain, bias: LanguageBias) -> list[Derived]:
 
 
 def _seen(domain: Domain, starts: Sequence[State], found: Sequence[Derived]) -> list[list[str | int]]:
-    """What tells the answers of all of them apart, by state; what has once been in error stays so."""
-    seen, asked = [], found
+    """What tells the answers of all of them apart, by state. What hangs on static facts alone is asked once in a
+    problem; what has once been in error stays so."""
+    lasting = {each.name for each in found if domain.loaded.is_static(each.name, len(each.types))}
+    wrong: set[str] = set()
+    seen, answers, static = [], dict[str, str | int](), None
     for state in _states(domain, starts):
         domain.visit(state)
-        answers = dict(zip((each.name for each in asked), extensions(domain.module, asked), strict=True))
-        asked = [each for each in asked if answers[each.name] != "error"]
-        seen.append([answers.get(each.name, "error") for each in found])
+        if static_of(domain.interpreted(state)) is not static:
+            static, answers = static_of(domain.interpreted(state)), {}
+        known = wrong | (lasting & answers.keys())
+        asked = [each for each in found if each.name not in known]
+        answers |= dict(zip((each.name for each in asked), extensions(domain.module, asked), strict=True))
+        wrong |= {each.name for each in asked if answers[each.name] == "error"}
+        seen.append([answers[each.name] if each.name not in wrong else "error" for each in found])
     return seen
 
 
