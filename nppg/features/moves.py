@@ -185,9 +185,8 @@ def _wanted(words: Words, each: Moves, todo: str) -> tuple[Derived, tuple[int, .
     z = Var("Z")
     whole = (*args[: each.place], z, *args[each.place :])
     name = f"wanted_{each.fluent}"
-    return Derived(name, (*each.types, each.kind), (Clause(Term(name, (*args, z)), (Term(todo, whole),)),)), tuple(
-        range(len(args))
-    )
+    clause = Clause(Term(name, (*args, z)), (Term(todo, whole),))
+    return Derived(name, (*each.types, each.kind), (clause,)), tuple(range(len(args)))
 
 
 @dataclass(frozen=True)
