@@ -19,9 +19,9 @@ from nppg.bias.names import atom
 from nppg.cli.main import main
 from nppg.features.bias_edit import extended
 from nppg.features.derived import Derived, Words
-from nppg.features.joins import joined
+from nppg.features.joins import apart, joined
 from nppg.features.selection import candidates, text
-from nppg.pddl.clauses import Choice, Infix, Negated, Term, Var
+from nppg.pddl.clauses import Choice, Infix, Negated, Once, Term, Var
 from nppg.worlds.deriving import worth_testing
 from nppg.worlds.domain import Domain
 from nppg.worlds.pddl_domain import import_domain
@@ -267,6 +267,20 @@ def test_what_is_denied_of_all_is_not_asked_of_one(vans) -> None:
     assert "could_load_for_todo_in_parcel_any" in found
     assert not [name for name in found if name.startswith("could_load_for") and name[-2:] == "_2"]  # on(_, P) is denied
     assert "could_drop" in found and "toward_could_drop" not in found  # where a parcel is not: that lists no places
+
+
+def test_what_is_no_matter_of_the_answer_is_asked_once() -> None:
+    """Neither whether it rains nor what is sold at the end of a road is gone through again."""
+    x, y, z, other, unseen = Var("X"), Var("Y"), Var("Z"), Var("O"), Var("W")
+    road, sells, wants = Term("road", (x, y)), Term("sells", (y, z)), Term("wants", (other, z))
+    rains, at = Term("rains", (unseen,)), Term("at", (x,))
+    found = apart([at, road, sells, wants, rains], [x], [x])
+    assert found == (Once((rains,)), at, Once((road, Once((sells, Once((wants,)))))))
+    assert apart([road, sells, wants], [x, y], [x]) == (road, Once((sells, Once((wants,)))))
+    assert apart([road, Negated((Term("shut", (y, unseen)),))], [x, y], [x]) == (
+        road,
+        Negated((Term("shut", (y, unseen)),)),
+    )
 
 
 # ---------------------------------------------------------------- which are kept

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from itertools import product
 
 from nppg.features.derived import GOAL, TODO, Derived, Words, named, typed
-from nppg.features.joins import joined
+from nppg.features.joins import apart, joined
 from nppg.features.needs import Need
 from nppg.features.schemas import Schema, variables_of
 from nppg.pddl.clauses import Clause, Infix, Negated, Part, Term, Var, clause_text
@@ -163,7 +163,7 @@ def targets(
                 head = Term(called, (*(others[i] for i in along), z))
                 known = variables_of(head.args[:-1] if each.steps else head.args)  # steps lead to all of the places
                 types = (*(each.types[i] for i in along), each.kind)
-                clause = Clause(head, joined(body, known, calls))
+                clause = Clause(head, apart(joined(body, known, calls), variables_of([head]), known))
                 yield Derived(called, types, (clause,), "", purpose.needs), along
 
 

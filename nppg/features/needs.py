@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from nppg.features.derived import TODO, Derived, Words
-from nppg.features.joins import joined
+from nppg.features.joins import apart, joined
 from nppg.features.schemas import Schema, variables_of
 from nppg.pddl.clauses import Clause, Negated, Term, Var
 
@@ -63,7 +63,7 @@ def _needed(words: Words, need: Need, schema: Schema) -> Iterator[Need]:
                 continue
             other = {var: Var(var.name) for var in variables_of((literal, *about)) if var not in given}
             none = Negated(joined((_renamed(each, other) for each in (literal, *about)), given))
-            body = (*joined((wanted, *(about if {*args} - given else ())), args), none)
+            body = apart((*joined((wanted, *(about if {*args} - given else ())), args), none), args, args)
             kinds = tuple(schema.types.get(arg, types[i]) for i, arg in zip(places, args, strict=True))
             name = f"needed_{fluent}_{path}"
             derived = Derived(name, kinds, (Clause(Term(name, args), body),), "", need.derived)
