@@ -55,31 +55,22 @@ todo_served(C) :- goal_served(C), \+ served(C).
 done_served(C) :- goal_served(C), served(C).
 
 % derived from the types and the actions
+needed_at_to_serve_sandwich_no_gluten(Place) :-
+    waiting(Child, Place),
+    todo_served(Child),
+    \+ ( waiting(Child, Place2), at(_Tray, Place2) ).
 could_put_on_tray(Tray, kitchen) :- at_kitchen_sandwich(Sandwich), \+ ontray(Sandwich, Tray).
 could_serve_sandwich_no_gluten(Tray, Place) :-
     ontray(Sandwich, Tray),
     no_gluten_sandwich(Sandwich),
     waiting(Child, Place),
-    allergic_gluten(Child),
-    \+ served(Child).
-could_serve_sandwich_no_gluten_through_waiting_back_for_todo_served_1_place(Tray, Place) :-
-    waiting(Child, Place),
-    todo_served(Child),
-    ontray(Sandwich, Tray),
-    no_gluten_sandwich(Sandwich),
-    waiting(Child2, Place),
-    allergic_gluten(Child2).
+    \+ served(Child),
+    allergic_gluten(Child).
 could_serve_sandwich(Tray, Place) :-
     ontray(_Sandwich, Tray),
     waiting(Child, Place),
-    not_allergic_gluten(Child),
-    \+ served(Child).
-could_serve_sandwich_through_waiting_back_for_todo_served_1_place(Tray, Place) :-
-    waiting(Child, Place),
-    todo_served(Child),
-    ontray(_Sandwich, Tray),
-    waiting(Child2, Place),
-    not_allergic_gluten(Child2).
+    \+ served(Child),
+    not_allergic_gluten(Child).
 :- table number_ontray_1/1.
 number_ontray_1(N) :- findall(X, ontray(X, _Tray), Found), sort(Found, Set), length(Set, N).
 :- table number_todo_served/1.
