@@ -22,6 +22,7 @@ from nppg.pddl.model import Change, Value
 from nppg.pddl.names import names_of
 from nppg.pddl.problem_data import problem_data
 from nppg.worlds.domain import Domain
+from nppg.worlds.opening import open_domain
 
 CONTRACT = {"goal/0", "action/1", "start/1", "effect/3", "effect/4", "reward/2", "horizon/1", "problem/2", "cost/2"}
 FORMULA = Path(__file__).parent.parent / "prolog" / "formula"
@@ -132,8 +133,28 @@ def test_biases_fit_their_domains(written: Written) -> None:
 def test_few_tests_where_few_are_wanted() -> None:
     pddl, _ = samples.ferry()
     names = names_of(pddl, taken)
-    many, few = (LanguageBias.parse(bias_text(pddl, names, {"at"}, most), "bias.yaml") for most in (400, 20))
+    many, few = (LanguageBias.parse(bias_text(pddl, names, {"at"}, most_tests=most), "bias.yaml") for most in (400, 20))
     assert 0 < len(few.modes) < len(many.modes)
+
+
+def test_neighbours_are_no_objects_to_be_tested(tmp_path: Path) -> None:
+    """A relation along which something moves is asked about known objects alone; distances are derived of it."""
+    (tmp_path / "mail.pddl").write_text(
+        "(define (domain mail) (:requirements :strips) (:predicates (road ?x ?y) (at ?x) (likes ?x ?y) (seen ?y))"
+        " (:action walk :parameters (?x ?y) :precondition (and (road ?x ?y) (at ?x))"
+        " :effect (and (at ?y) (not (at ?x)))) (:action see :parameters (?x ?y)"
+        " :precondition (and (at ?x) (likes ?x ?y)) :effect (seen ?y)))"
+    )
+    roads = " ".join(f"(road p{i} p{i + 1})" for i in range(5))
+    (tmp_path / "p1.pddl").write_text(
+        f"(define (problem p1) (:domain mail) (:objects {' '.join(f'p{i}' for i in range(6))})"
+        f" (:init {roads} (at p0) (likes p5 p1) (likes p3 p2)) (:goal (and (seen p1) (seen p2))))"
+    )
+    domain = open_domain(tmp_path / "mail.pddl", problems=[tmp_path / "p1.pddl"])
+    lines = [line.strip() for line in domain.language_bias().source.decode().splitlines()]
+    assert [line for line in lines if re.search(r"\broad\(", line)] == ["- road(+, +)"]
+    assert any("likes(-, +)" in line for line in lines)
+    assert "toward_could_see" in domain.source.decode()
 
 
 def test_the_ferry_reads_well() -> None:

@@ -16,6 +16,7 @@ from nppg.features.needs import Need
 from nppg.features.schemas import Schema, variables_of
 from nppg.pddl.clauses import Clause, Infix, Negated, Part, Term, Var, clause_text
 
+_STEP = "step_"
 _MOST = 12  # ways in which objects of an action can be those of something that is left to do
 
 
@@ -84,7 +85,7 @@ class Ways:
 def ways(each: Moves) -> Ways:
     """A step, and the number of steps from X to Z, found from Z on backwards."""
     types, kind = tuple(each.types[i] for i in each.along), each.kind
-    name, lines, known = f"step_{each.fluent}", [], set()
+    name, lines, known = f"{_STEP}{each.fluent}", [], set()
     for others, x, y, edge in each.steps:
         clause = Clause(Term(name, (*(others[i] for i in each.along), x, y)), edge)
         if clause_text(clause) not in known:
@@ -109,6 +110,13 @@ def ways(each: Moves) -> Ways:
         (distance,),
     )
     return Ways(each, step, steps)
+
+
+def roads(chosen: Iterable[Derived]) -> set[str]:
+    """The static predicates along which something moves, where steps are among what is derived."""
+    steps = (one for each in chosen for one in each.all() if one.name.startswith(_STEP))
+    goals = (goal for step in steps for clause in step.clauses for goal in clause.body)
+    return {str(goal.name) for goal in goals if isinstance(goal, Term)}
 
 
 def nearer(way: Ways) -> Derived:

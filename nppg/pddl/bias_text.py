@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.names import atom, written
@@ -54,15 +54,23 @@ WAYS = (
 _RETURNS = "{step: second-order, discount: 0.95, min_examples: 500}"
 
 
-def bias_text(domain: Domain, names: Names, goal_predicates: Iterable[str], most_tests: int = MOST_TESTS) -> str:
-    """The text of the language bias. `most_tests`: groups of modes are left out, in the order of bias_modes.GROUPS,
-    until the tree of no kind of action has more tests at its root, or no group is left."""
+def bias_text(
+    domain: Domain,
+    names: Names,
+    goal_predicates: Iterable[str],
+    roads: Collection[str] = (),
+    most_tests: int = MOST_TESTS,
+) -> str:
+    """The text of the language bias. `roads`: predicates that are asked about known objects alone, for what one would
+    ask of a neighbour, distances along them tell. `most_tests`: groups of modes are left out, in the order of
+    bias_modes.GROUPS, until the tree of no kind of action has more tests at its root, or no group is left."""
     all_signatures = [*signatures(domain, names, goal_predicates)]
     used = {type_ for action in domain.actions for type_ in action_types(domain, action)}
     used |= {type_ for each in all_signatures for type_ in each.types if type_}
     types = [Signature(names.types[type_], (parent,), "type") for type_, parent in supertypes(domain, used).items()]
     all_signatures += types
     chosen = [mode for each in all_signatures for mode in modes(each)]
+    chosen = [mode for mode in chosen if mode.name not in roads or "-" not in mode.kinds]
     steps = iter(GROUPS)
     while True:
         count = _root_tests(_text(domain, names, all_signatures, chosen, 0), most_tests)

@@ -15,6 +15,7 @@ from nppg.bridge.prolog import ask
 from nppg.errors import NppgError, Problem
 from nppg.features.bias_edit import extended
 from nppg.features.derived import Derived
+from nppg.features.moves import roads
 from nppg.features.selection import text as clauses_of
 from nppg.pddl.bias_text import bias_text
 from nppg.pddl.domain_text import domain_text
@@ -69,7 +70,8 @@ class PddlDomain(Domain):
 
     def language_bias(self) -> LanguageBias:
         """The generated one."""
-        text = extended(bias_text(self.model, self.names, self.wanted), self.derived)
+        text = bias_text(self.model, self.names, self.wanted, roads(self.derived))
+        text = extended(text, self.derived)
         return LanguageBias.parse(text, str(self.path.with_suffix(".yaml")))
 
     def problems_of(self, files: Sequence[Path]) -> Problems:
