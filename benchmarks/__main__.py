@@ -2,6 +2,8 @@
 
 python -m benchmarks [NAME...] [--write docs/performance.md]     NAME: see --help
 python -m benchmarks profile [--write docs/performance.md]       where the time of a training run of each learner goes
+python -m benchmarks ipc2023 ...                                 the planning competition: docs/ipc2023
+python -m benchmarks options ...                                 the options of biases of PDDL domains, each changed
 """
 
 from __future__ import annotations
