@@ -30,9 +30,14 @@ todo_at(C, L) :- goal_at(C, L), \+ at(C, L).
 done_at(C, L) :- goal_at(C, L), at(C, L).
 
 % derived from the types and the actions
+needed_on_to_debark(Car) :- todo_at(Car, _Location), \+ on(Car).
+needed_at_ferry_to_debark(Location) :- todo_at(_Car, Location), \+ at_ferry(Location).
 could_board(Location) :- empty_ferry, at(Car, Location), \+ on(Car).
-could_board_for_todo_at_any_location(Location) :- todo_at(_Car, Location), empty_ferry, at(_Car2, Location).
-could_board_for_todo_at_car_any(Location) :- todo_at(Car, _Location2), empty_ferry, at(Car, Location).
+could_board_needed_on_to_debark(Location) :- empty_ferry, at(Car, Location), needed_on_to_debark(Car).
+could_board_for_todo_at_any_location(Location) :-
+    empty_ferry,
+    todo_at(_Car, Location),
+    once(( at(Car2, Location), \+ on(Car2) )).
 could_debark(Location) :- on(Car), \+ at(Car, Location).
 could_debark_todo_at(Location) :- todo_at(Car, Location), on(Car).
-could_debark_for_todo_at_any_location(Location) :- todo_at(_Car, Location), on(_Car2).
+could_debark_for_todo_at_any_location(Location) :- todo_at(_Car, Location), once(( on(Car2), \+ at(Car2, Location) )).

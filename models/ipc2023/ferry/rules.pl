@@ -12,7 +12,7 @@ model(format, 1).
 model(nppg, '0.1.0').
 model(prolog, '9.2.9').
 model(domain, 'ferry.pl').
-model(domain_sha256, fdfcf6a03a1e264e54e25af4b28d57411d4dc74f690c9913bc3ba24d31b6671c).
+model(domain_sha256, '7b0e6da8bb9b289f6cd848adcb2ab7259ff1de92277447b34cc4127c9344ab81').
 model(action, sail(location, location)).
 model(action, board(car, location)).
 model(action, debark(car, location)).
@@ -23,14 +23,16 @@ model(literal, at_ferry(location)).
 model(literal, at(car, location)).
 model(literal, empty_ferry).
 model(literal, on(car)).
+model(literal, needed_on_to_debark(car)).
+model(literal, needed_at_ferry_to_debark(location)).
 model(literal, could_board(location)).
+model(literal, could_board_needed_on_to_debark(location)).
 model(literal, could_board_for_todo_at_any_location(location)).
-model(literal, could_board_for_todo_at_car_any(location)).
 model(literal, could_debark(location)).
 model(literal, could_debark_todo_at(location)).
 model(literal, could_debark_for_todo_at_any_location(location)).
 model(bias, 'ferry.yaml').
-model(bias_sha256, '127868d5fec2b0aa6620df6628df84148df25b3de66572d298be0ee1988e1639').
+model(bias_sha256, '550de0e32ae7481ec7660f9e0aad27f900204ad218ff9fc66886ee59ad5d0af9').
 model(success, 1.0).
 model(starts, 99).
 model(exact, 0).
@@ -81,7 +83,7 @@ domain(ferry).
 
 % tree 1: distilled, 5 rules
 delta(1, sail(_, Location), 20.0) :- todo_at(Car, Location), on(Car), !.
-delta(1, sail(_, Location), 10.0) :- could_board_for_todo_at_car_any(Location), !.
+delta(1, sail(_, Location), 10.0) :- could_board_needed_on_to_debark(Location), !.
 delta(1, board(Car, _), 20.0) :- todo_at(Car, _), !.
 delta(1, debark(Car, Location), 20.0) :- todo_at(Car, Location), !.
 delta(1, _, 0.0).

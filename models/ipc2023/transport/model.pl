@@ -12,7 +12,7 @@ model(format, 1).
 model(nppg, '0.1.0').
 model(prolog, '9.2.9').
 model(domain, 'transport.pl').
-model(domain_sha256, '587ab63ec7024ec6482edb11aa4f0e2f47de01eafc46bf800388a6e11d205e1b').
+model(domain_sha256, '44591dcbf257a9d42d7792b216f8e5625943c2fcea1733f4c0e06b0bf319b5c8').
 model(action, drive(vehicle, location, location)).
 model(action, pick_up(vehicle, location, package, size, size)).
 model(action, drop(vehicle, location, package, size, size)).
@@ -28,23 +28,25 @@ model(literal, vehicle(locatable)).
 model(literal, package(locatable)).
 model(literal, beyond_road(location, location)).
 model(literal, beyond_capacity_predecessor(size, size)).
+model(literal, needed_in_to_drop(package)).
+model(literal, needed_capacity_to_drop(size)).
 model(literal, nearer_at(location, location, location)).
 model(literal, wanted_at(vehicle, location)).
 model(literal, toward_wanted_at(vehicle, location, location)).
 model(literal, could_pick_up(vehicle, location)).
 model(literal, toward_could_pick_up(vehicle, location, location)).
+model(literal, could_pick_up_needed_in_to_drop(vehicle, location)).
+model(literal, toward_could_pick_up_needed_in_to_drop(vehicle, location, location)).
+model(literal, could_pick_up_needed_capacity_to_drop(vehicle, location)).
+model(literal, toward_could_pick_up_needed_capacity_to_drop(vehicle, location, location)).
 model(literal, could_pick_up_for_todo_at_any_location(vehicle, location)).
 model(literal, toward_could_pick_up_for_todo_at_any_location(vehicle, location, location)).
-model(literal, could_pick_up_for_todo_at_package_any(vehicle, location)).
-model(literal, toward_could_pick_up_for_todo_at_package_any(vehicle, location, location)).
 model(literal, could_drop(vehicle, location)).
 model(literal, could_drop_todo_at(vehicle, location)).
 model(literal, toward_could_drop_todo_at(vehicle, location, location)).
 model(literal, could_drop_for_todo_at_any_location(vehicle, location)).
 model(literal, toward_could_drop_for_todo_at_any_location(vehicle, location, location)).
 model(literal, nearer_capacity(size, size, size)).
-model(literal, could_drop_for_todo_at_package_any(vehicle, size)).
-model(literal, toward_could_drop_for_todo_at_package_any(vehicle, size, size)).
 model(literal, fewer_at_2_than_todo_at_1).
 model(literal, fewer_at_2_than_at_1).
 model(literal, fewer_at_2_than_todo_at_1_at_1).
@@ -65,8 +67,8 @@ model(literal, fewer_capacity_2_than_todo_at_2).
 model(literal, fewer_capacity_2_than_at_2).
 model(literal, fewer_capacity_2_than_todo_at_2_at_2).
 model(bias, 'transport.yaml').
-model(bias_sha256, fd785a18c32d1f4db94a9f19054e2f643770a2dc3cfc9b56a64ecb9821737e80).
-model(option, episodes=1000000).
+model(bias_sha256, '79cb43ae35462df9712e33d21ceb42094c3d725c55201a313424890dfe4682a8').
+model(option, episodes=1000000000).
 model(option, seed=0).
 model(option, guidance=0.1).
 model(option, expert=domain).
@@ -88,7 +90,7 @@ model(option, floor=0.1).
 model(option, detours=3.0).
 model(option, replay=1000).
 model(option, regressor=tilde).
-model(option, models=one).
+model(option, models='per-action').
 model(option, unrewarded=keep).
 model(option, line_search=0).
 model(option, ratio_clip=0.2).
@@ -98,15 +100,15 @@ model(option, cut_off=end).
 model(option, critic_step_size=0.5).
 model(option, critic_trees=1).
 model(option, normalise=no).
-model(tree, max_depth=4).
+model(tree, max_depth=3).
 model(tree, min_examples=2).
 model(tree, min_variance=1.0e-9).
 model(tree, significance=1.0).
 model(tree, granularity=0).
 model(curve, evaluate_every=0).
 model(curve, seconds=120.0).
-model(trained_episodes, 506).
-model(trees, 33).
+model(trained_episodes, 599).
+model(trees, 43).
 
 % Lets plain Prolog load the domain: what its declarations mean.
 :- op(1150, fx, user:[fluent, static, interchangeable]).
@@ -151,462 +153,831 @@ domain(transport).
 :- ensure_loaded('transport.pl').
 :- add_import_module(policy, transport, start).
 
-% tree 1: step size 1.0, 203 examples, 5 leaves
-delta(1, pick_up(_, _, _, _, _), 0.5100775103237187) :- !.
-delta(1, _, -0.5100775103237187) :- fewer_at_2_than_at_1, !.
+% tree 1: step size 1.0, 203 examples, 7 leaves
 delta(1, drive(Vehicle, _, Location), 0.4277215742158637) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
-delta(1, drive(_, _, _), -0.2841685660644171) :- !.
-delta(1, _, -0.09387585549943835).
+delta(1, drive(_, _, Location), 0.220584029741667) :- at(_, Location), !.
+delta(1, drive(_, _, _), -0.8284344921015049) :- !.
+delta(1, pick_up(_, _, _, _, _), 0.536649655619455) :- !.
+delta(1, drop(_, Location, Package, _, _), 0.2954601660035993) :- todo_at(Package, Location), !.
+delta(1, drop(_, _, _, _, _), -0.3725945091169398) :- !.
+delta(1, _, 0.0).
 
-% tree 2: step size 1.0, 202 examples, 5 leaves
-delta(2, pick_up(_, _, _, _, _), 0.4124543218941981) :- !.
-delta(2, _, -0.4124543218941981) :- fewer_at_2_than_at_1, !.
-delta(2, drive(Vehicle, _, Location), 0.4123328951557298) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
-delta(2, drive(_, _, _), -0.32615437147323467) :- !.
-delta(2, _, -0.01655220589822251).
+% tree 2: step size 1.0, 211 examples, 7 leaves
+delta(2, drive(Vehicle, _, Location), 0.3211267522424536) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
+delta(2, drive(_, _, Location), 0.1663648234263349) :- at(_, Location), !.
+delta(2, drive(_, _, _), -0.4999944981983069) :- !.
+delta(2, pick_up(_, _, _, _, _), 0.27689471977867824) :- !.
+delta(2, drop(_, Location, Package, _, _), 0.19083302405282968) :- todo_at(Package, Location), !.
+delta(2, drop(_, _, _, _, _), -0.29377619912831604) :- !.
+delta(2, _, 0.0).
 
-% tree 3: step size 1.0, 210 examples, 7 leaves
-delta(3, drive(_, Location, Location2), -0.005559544163466172) :- at(Locatable, Location2), todo_at(Locatable, Location3), road(Location4, Location2), nearer_at(Location4, Location, Location3), !.
-delta(3, drive(_, _, Location), 0.4395328534574016) :- at(Locatable, Location), todo_at(Locatable, _), !.
-delta(3, drive(Vehicle, _, Location), 0.3971240889766448) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
-delta(3, drive(Vehicle, Location, Location2), -0.015129122084544557) :- road(Location3, Location), toward_could_drop_todo_at(Vehicle, Location2, Location3), !.
-delta(3, drive(_, _, _), -0.6924792902393841) :- !.
-delta(3, _, 0.2404662832265586) :- fewer_at_2_than_at_1, !.
-delta(3, _, 0.03705107888267305).
+% tree 3: step size 1.0, 203 examples, 7 leaves
+delta(3, drive(Vehicle, _, Location), 0.5042410208400486) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
+delta(3, drive(_, _, Location), 0.4588063094048344) :- at(Locatable, Location), todo_at(Locatable, _), !.
+delta(3, drive(_, _, _), -0.8761044114154289) :- !.
+delta(3, pick_up(_, _, _, _, _), 0.40845946823654233) :- !.
+delta(3, drop(_, Location, Package, _, _), 0.3406512117103974) :- todo_at(Package, Location), !.
+delta(3, drop(_, _, _, _, _), -0.2920520305136825) :- !.
+delta(3, _, 0.0).
 
-% tree 4: step size 1.0, 209 examples, 7 leaves
-delta(4, drive(Vehicle, _, Location), 0.5026791852579071) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
-delta(4, drive(_, _, Location), -0.033466373001644484) :- at(Locatable, Location), todo_at(Locatable, _), at(Locatable2, Location), vehicle(Locatable2), !.
-delta(4, drive(_, _, Location), 0.35109019571528655) :- at(Locatable, Location), todo_at(Locatable, _), !.
-delta(4, drive(_, Location, Location2), -0.004273896861065313) :- todo_at(Locatable, Location2), at(Locatable, Location), !.
-delta(4, drive(_, _, _), -0.6080702066889592) :- !.
-delta(4, _, 0.28560918286674314) :- fewer_in_2_than_at_2, !.
-delta(4, _, -0.07732899968349316).
+% tree 4: step size 1.0, 215 examples, 12 leaves
+delta(4, drive(Vehicle, Location, Location2), -0.1309994714172452) :- at(Vehicle, Location3), toward_could_drop_todo_at(Vehicle, Location3, Location2), todo_at(Locatable, Location2), at(Locatable, Location), !.
+delta(4, drive(Vehicle, _, Location), 0.36268945377823353) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
+delta(4, drive(_, _, Location), 0.30218064872431394) :- at(Locatable, Location), todo_at(Locatable, _), fewer_capacity_1_than_at_2, !.
+delta(4, drive(_, _, Location), -0.08588491733087815) :- at(Locatable, Location), todo_at(Locatable, _), !.
+delta(4, drive(_, _, _), -0.5513361391798839) :- !.
+delta(4, pick_up(_, Location, _, _, _), -0.2808644071646857) :- todo_at(_, Location), !.
+delta(4, pick_up(_, _, _, _, _), 0.0024635902397047455) :- fewer_at_2_than_todo_at_1_at_1, !.
+delta(4, pick_up(_, _, _, _, _), 0.45700702190593084) :- !.
+delta(4, drop(_, Location, Package, _, _), -0.06262206085059205) :- todo_at(Package, Location), fewer_in_2_than_todo_at_1, !.
+delta(4, drop(_, Location, Package, _, _), 0.39574902183531163) :- todo_at(Package, Location), !.
+delta(4, drop(_, _, _, _, _), -0.2883909626285193) :- !.
+delta(4, _, 0.0).
 
-% tree 5: step size 1.0, 207 examples, 10 leaves
-delta(5, drive(Vehicle, Location, Location2), -0.05318692918805208) :- at(Vehicle, Location3), toward_could_drop_todo_at(Vehicle, Location3, Location2), todo_at(Locatable, Location2), at(Locatable, Location), !.
-delta(5, drive(Vehicle, _, Location), 0.45796754440974774) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
-delta(5, drive(_, _, Location), -0.053058405847108185) :- at(Locatable, Location), todo_at(Locatable, _), at(Locatable2, Location), vehicle(Locatable2), !.
-delta(5, drive(_, _, Location), 0.27978146735956305) :- at(Locatable, Location), todo_at(Locatable, _), !.
-delta(5, drive(_, _, _), -0.5009617936221638) :- !.
-delta(5, pick_up(_, _, _, _, _), 0.21503525191645) :- fewer_in_2_than_todo_at_1, !.
-delta(5, _, -0.03969424229663303) :- fewer_in_2_than_todo_at_1, !.
-delta(5, pick_up(_, _, _, _, _), -0.21999323263140838) :- !.
-delta(5, _, 0.15604767109358775) :- fewer_at_2_than_at_1, !.
-delta(5, _, -0.08152334198981447).
+% tree 5: step size 1.0, 210 examples, 10 leaves
+delta(5, drive(Vehicle, _, Location), 0.044974162253227375) :- at(Locatable, Location), vehicle(Locatable), at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
+delta(5, drive(_, _, Location), -0.3546586237680961) :- at(Locatable, Location), vehicle(Locatable), !.
+delta(5, drive(Vehicle, _, Location), -0.21724686891226055) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location, Location2), !.
+delta(5, drive(Vehicle, _, Location), -0.058600249241130165) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
+delta(5, drive(_, _, _), 0.3418172148544322) :- !.
+delta(5, pick_up(_, Location, _, _, _), -0.41224922582135515) :- todo_at(_, Location), !.
+delta(5, pick_up(_, _, _, _, _), 0.3993989094561531) :- !.
+delta(5, drop(_, Location, Package, _, _), 0.31479312834300427) :- todo_at(Package, Location), !.
+delta(5, drop(_, _, _, _, _), -0.19818848148194834) :- !.
+delta(5, _, 0.0).
 
-% tree 6: step size 1.0, 204 examples, 11 leaves
-delta(6, drive(Vehicle, _, Location), -0.2800542175654319) :- road(Location2, Location), toward_could_pick_up(Vehicle, Location, Location2), !.
-delta(6, drive(Vehicle, _, Location), -0.24751267013395684) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
-delta(6, drive(_, Location, Location2), -0.006693125164569575) :- todo_at(Locatable, Location2), at(Locatable, Location), !.
-delta(6, drive(_, _, _), 0.5935074697261359) :- !.
-delta(6, pick_up(_, _, _, _, _), 0.11065389858752593) :- fewer_at_2_than_todo_at_1, !.
-delta(6, _, -0.06935580188847876) :- fewer_at_2_than_todo_at_1, fewer_at_2_than_at_1, !.
-delta(6, _, -0.000957177553497707) :- fewer_at_2_than_todo_at_1, !.
-delta(6, pick_up(_, Location, _, _, _), -0.6110379092942431) :- todo_at(_, Location), !.
-delta(6, pick_up(_, _, _, _, _), 0.1053614323812685) :- !.
-delta(6, _, -0.13651718201134924) :- fewer_in_2_than_at_2, !.
-delta(6, _, 0.1176595927520482).
+% tree 6: step size 1.0, 222 examples, 12 leaves
+delta(6, drive(Vehicle, Location, _), -0.005580599734219414) :- goal_at(Locatable, Location), done_at(Locatable, Location), goal_at(Locatable, Location2), could_drop_todo_at(Vehicle, Location2), !.
+delta(6, drive(_, Location, Location2), -0.000845998660415977) :- goal_at(Locatable, Location), done_at(Locatable, Location), todo_at(Locatable2, Location2), at(Locatable2, Location), !.
+delta(6, drive(_, Location, _), 0.25183449648767375) :- goal_at(Locatable, Location), done_at(Locatable, Location), !.
+delta(6, drive(Vehicle, Location, Location2), -0.09600685717390592) :- at(Vehicle, Location3), toward_could_drop_todo_at(Vehicle, Location3, Location2), todo_at(Locatable, Location2), at(Locatable, Location), !.
+delta(6, drive(Vehicle, _, Location), 0.17792594646468787) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
+delta(6, drive(Vehicle, _, Location), -0.01472111920779026) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), !.
+delta(6, drive(_, _, _), -0.37464615668454265) :- !.
+delta(6, pick_up(_, _, Package, _, _), 0.39522054790253136) :- todo_at(Package, _), !.
+delta(6, pick_up(_, _, _, _, _), -0.4022138531682802) :- !.
+delta(6, drop(_, Location, Package, _, _), 0.2592006258388792) :- todo_at(Package, Location), !.
+delta(6, drop(_, _, _, _, _), -0.15284411753242103) :- !.
+delta(6, _, 0.0).
 
-% tree 7: step size 1.0, 204 examples, 8 leaves
-delta(7, pick_up(_, _, Package, _, _), 0.24183614748095034) :- todo_at(Package, _), !.
-delta(7, pick_up(_, _, _, _, _), -0.5535982390721617) :- !.
-delta(7, _, -0.12209838603764483) :- fewer_capacity_1_than_todo_at_1, fewer_at_2_than_at_1, !.
-delta(7, drive(_, _, _), 0.020544748919106813) :- fewer_capacity_1_than_todo_at_1, !.
-delta(7, _, -0.020057463409627715) :- fewer_capacity_1_than_todo_at_1, !.
-delta(7, _, 0.27539587023073286) :- fewer_at_2_than_at_1, !.
-delta(7, drive(_, _, _), 0.008776685192396293) :- !.
-delta(7, _, -0.010612716275758449).
+% tree 7: step size 1.0, 204 examples, 13 leaves
+delta(7, drive(Vehicle, Location, Location2), -0.06729028251913409) :- at(Vehicle, Location3), toward_could_drop_todo_at(Vehicle, Location3, Location2), todo_at(Locatable, Location2), at(Locatable, Location), !.
+delta(7, drive(Vehicle, _, Location), 0.30478623194439775) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
+delta(7, drive(Vehicle, _, Location), -0.0812666817663064) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), at(Locatable, Location), vehicle(Locatable), !.
+delta(7, drive(Vehicle, _, Location), 0.1563929601520537) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), !.
+delta(7, drive(Vehicle, _, Location), -0.006378262695296691) :- at(Vehicle, Location2), toward_could_pick_up(Vehicle, Location2, Location), !.
+delta(7, drive(_, _, _), -0.2887945906184338) :- !.
+delta(7, pick_up(_, _, Package, _, _), 0.326132970348113) :- todo_at(Package, _), !.
+delta(7, pick_up(_, _, _, _, _), -0.4175903358450932) :- !.
+delta(7, drop(_, Location, Package, _, _), 0.018524631639333003) :- todo_at(Package, Location), fewer_capacity_2_than_todo_at_2, fewer_at_2_than_todo_at_1, !.
+delta(7, drop(_, Location, Package, _, _), -0.06287090394010868) :- todo_at(Package, Location), fewer_capacity_2_than_todo_at_2, !.
+delta(7, drop(_, Location, Package, _, _), 0.2573564245239626) :- todo_at(Package, Location), !.
+delta(7, drop(_, _, _, _, _), -0.13289828075249002) :- !.
+delta(7, _, 0.0).
 
-% tree 8: step size 1.0, 202 examples, 8 leaves
-delta(8, pick_up(_, _, Package, _, _), 0.26635905326992) :- todo_at(Package, _), !.
-delta(8, pick_up(_, _, _, _, _), -0.5269319359186377) :- !.
-delta(8, _, -0.11951708857382264) :- fewer_capacity_1_than_todo_at_1, fewer_at_2_than_at_1, !.
-delta(8, drive(_, _, _), -0.012336531948686733) :- fewer_capacity_1_than_todo_at_1, !.
-delta(8, _, 0.01121868226900991) :- fewer_capacity_1_than_todo_at_1, !.
-delta(8, _, 0.2514599561688241) :- fewer_at_2_than_at_1, !.
-delta(8, drive(_, _, _), 0.032594732082054746) :- !.
-delta(8, _, -0.03813384823580976).
+% tree 8: step size 1.0, 210 examples, 15 leaves
+delta(8, drive(Vehicle, Location, Location2), 0.011547716076038864) :- goal_at(Locatable, Location2), at(Locatable, Location3), toward_could_drop_todo_at(Vehicle, Location, Location3), !.
+delta(8, drive(_, Location, Location2), -0.00011720807874914248) :- goal_at(Locatable, Location2), at(Locatable, Location3), nearer_at(Location3, Location2, Location), !.
+delta(8, drive(_, _, Location), -0.21048884052895603) :- goal_at(Locatable, Location), at(Locatable, _), !.
+delta(8, drive(Vehicle, Location, Location2), -0.01121076828747989) :- at(Locatable, Location), goal_at(Locatable, _), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
+delta(8, drive(_, Location, _), 0.38006078859895354) :- at(Locatable, Location), goal_at(Locatable, _), !.
+delta(8, drive(Vehicle, _, Location), 0.20507573139739482) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
+delta(8, drive(_, _, _), -0.16742932997213308) :- !.
+delta(8, pick_up(Vehicle, _, Package, _, _), -0.024441019854676532) :- todo_at(Package, _), at(Vehicle, Location), could_drop_todo_at(Vehicle, Location), !.
+delta(8, pick_up(_, _, Package, _, _), 0.2575497019559622) :- todo_at(Package, _), !.
+delta(8, pick_up(_, _, _, _, _), -0.4373920138106155) :- !.
+delta(8, drop(_, Location, Package, _, Size), -0.029028111700078598) :- todo_at(Package, Location), capacity(Vehicle, Size), could_pick_up_needed_in_to_drop(Vehicle, Location), !.
+delta(8, drop(_, Location, Package, _, Size), -0.01434308636936296) :- todo_at(Package, Location), capacity(Vehicle, Size), at(Vehicle, Location), !.
+delta(8, drop(_, Location, Package, _, _), 0.20028588055725607) :- todo_at(Package, Location), !.
+delta(8, drop(_, _, _, _, _), -0.11695110473359764) :- !.
+delta(8, _, 0.0).
 
-% tree 9: step size 1.0, 209 examples, 11 leaves
-delta(9, pick_up(_, Location, Package, _, _), 0.2086603856699786) :- todo_at(Package, Location2), road(Location, Location2), !.
-delta(9, pick_up(_, Location, _, _, _), -0.4432308855497735) :- goal_at(Locatable, Location), at(Locatable, _), !.
-delta(9, pick_up(_, _, _, _, _), 0.0033704362763724016) :- !.
-delta(9, drive(_, _, _), -0.06725832553488585) :- fewer_capacity_2_than_todo_at_1, fewer_in_2_than_todo_at_1, !.
-delta(9, drive(_, _, _), 0.21564664198475036) :- fewer_capacity_2_than_todo_at_1, !.
-delta(9, _, 0.026357994018478943) :- fewer_capacity_2_than_todo_at_1, fewer_in_2_than_in_1, !.
-delta(9, _, -0.2537373274607518) :- fewer_capacity_2_than_todo_at_1, !.
-delta(9, _, 0.01611259158626852) :- fewer_at_2_than_at_1, fewer_in_2_than_todo_at_1, !.
-delta(9, _, 0.21937874389459275) :- fewer_at_2_than_at_1, !.
-delta(9, drive(_, _, _), -0.13057198917518967) :- !.
-delta(9, _, 0.1505484858932473).
+% tree 9: step size 1.0, 207 examples, 12 leaves
+delta(9, drive(_, _, Location), -0.12689821522949749) :- todo_at(Locatable, Location), at(Locatable, _), !.
+delta(9, drive(Vehicle, _, Location), -0.08279718248265394) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
+delta(9, drive(Vehicle, _, Location), -0.012534684370169084) :- at(Vehicle, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(9, drive(_, _, _), 0.3483588935908757) :- !.
+delta(9, pick_up(_, Location, Package, _, _), 0.37437780611591087) :- todo_at(Package, Location2), road(Location, Location2), !.
+delta(9, pick_up(Vehicle, Location, Package, Size, _), -0.00555028744208845) :- capacity(Vehicle2, Size), could_pick_up_needed_in_to_drop(Vehicle2, Location), goal_at(Package, Location2), could_pick_up(Vehicle, Location2), !.
+delta(9, pick_up(_, Location, _, Size, _), 0.06810390891550286) :- capacity(Vehicle, Size), could_pick_up_needed_in_to_drop(Vehicle, Location), !.
+delta(9, pick_up(_, _, _, _, _), 0.00019811004279600942) :- fewer_at_2_than_todo_at_1_at_1, !.
+delta(9, pick_up(_, _, _, _, _), -0.6632915420835382) :- !.
+delta(9, drop(_, Location, Package, _, _), 0.22713142502840242) :- todo_at(Package, Location), !.
+delta(9, drop(_, _, _, _, _), -0.08721373115118772) :- !.
+delta(9, _, 0.0).
 
-% tree 10: step size 1.0, 215 examples, 12 leaves
-delta(10, drive(Vehicle, Location, Location2), -0.022555397846323693) :- at(Vehicle, Location3), toward_could_drop_todo_at(Vehicle, Location3, Location2), todo_at(Locatable, Location2), at(Locatable, Location), !.
-delta(10, drive(Vehicle, _, Location), 0.5586357103919225) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
-delta(10, drive(Vehicle, Location, Location2), -0.06683720000348503) :- at(Vehicle, Location3), toward_could_pick_up(Vehicle, Location2, Location3), at(Locatable, Location), todo_at(Locatable, _), !.
-delta(10, drive(Vehicle, _, Location), 0.36003097971656123) :- at(Vehicle, Location2), toward_could_pick_up(Vehicle, Location, Location2), !.
-delta(10, drive(Vehicle, _, Location), 0.03843242621403892) :- at(Vehicle, Location2), toward_could_pick_up_for_todo_at_package_any(Vehicle, Location2, Location), !.
-delta(10, drive(_, _, _), -0.4091192379289771) :- !.
-delta(10, _, 0.0840287613775237) :- fewer_at_2_than_at_1, fewer_capacity_1_than_at_2, !.
-delta(10, _, 0.026028756362960526) :- fewer_at_2_than_at_1, fewer_capacity_1_than_todo_at_1, !.
-delta(10, _, -0.3405514361074683) :- fewer_at_2_than_at_1, !.
-delta(10, _, -0.05100262973179429) :- fewer_capacity_1_than_at_2, fewer_in_2_than_todo_at_1, !.
-delta(10, _, -0.00014309584471822293) :- fewer_capacity_1_than_at_2, !.
-delta(10, _, 0.07048015130675964).
+% tree 10: step size 1.0, 201 examples, 19 leaves
+delta(10, drive(Vehicle, Location, _), -0.005692961269923942) :- goal_at(Locatable, Location), done_at(Locatable, Location), goal_at(Locatable, Location2), could_pick_up_needed_in_to_drop(Vehicle, Location2), !.
+delta(10, drive(Vehicle, Location, _), -0.00217220831662656) :- goal_at(Locatable, Location), done_at(Locatable, Location), goal_at(Locatable, Location2), could_drop_todo_at(Vehicle, Location2), !.
+delta(10, drive(_, Location, _), 0.25857906349215615) :- goal_at(Locatable, Location), done_at(Locatable, Location), !.
+delta(10, drive(Vehicle, _, Location), -0.03938576616618257) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), at(Vehicle, Location3), toward_could_drop_for_todo_at_any_location(Vehicle, Location, Location3), !.
+delta(10, drive(Vehicle, _, Location), 0.08271465723079122) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), !.
+delta(10, drive(Vehicle, _, Location), 0.04197807169131609) :- at(Vehicle, Location2), toward_could_drop_for_todo_at_any_location(Vehicle, Location2, Location), !.
+delta(10, drive(_, _, _), -0.16961313413572982) :- !.
+delta(10, pick_up(_, Location, Package, Size, _), 0.010829875444297015) :- todo_at(Package, Location2), road(Location, Location2), at(Locatable, Location2), vehicle(Locatable), needed_capacity_to_drop(Size), !.
+delta(10, pick_up(_, Location, Package, _, _), -0.051135861863260364) :- todo_at(Package, Location2), road(Location, Location2), at(Locatable, Location2), vehicle(Locatable), !.
+delta(10, pick_up(_, Location, Package, _, _), 0.28431352802619964) :- todo_at(Package, Location2), road(Location, Location2), !.
+delta(10, pick_up(Vehicle, Location, Package, Size, _), 0.002794968952414711) :- capacity(Vehicle2, Size), could_pick_up_for_todo_at_any_location(Vehicle2, Location), todo_at(Package, Location2), could_pick_up(Vehicle, Location2), !.
+delta(10, pick_up(_, Location, _, Size, _), -0.00013638938659728367) :- capacity(Vehicle, Size), could_pick_up_for_todo_at_any_location(Vehicle, Location), !.
+delta(10, pick_up(_, _, _, _, _), 0.002150820354271411) :- fewer_at_2_than_todo_at_1, !.
+delta(10, pick_up(_, _, _, _, _), -0.35608729104680015) :- !.
+delta(10, drop(_, Location, Package, _, _), 0.008812920647454845) :- todo_at(Package, Location), fewer_capacity_2_than_todo_at_2, fewer_capacity_1_than_todo_at_1, !.
+delta(10, drop(_, Location, Package, _, _), -0.0398646794805291) :- todo_at(Package, Location), fewer_capacity_2_than_todo_at_2, !.
+delta(10, drop(_, Location, Package, _, _), 0.08875889700277599) :- todo_at(Package, Location), !.
+delta(10, drop(_, _, _, _, _), -0.06106018331899504) :- !.
+delta(10, _, 0.0).
 
-% tree 11: step size 1.0, 214 examples, 12 leaves
-delta(11, pick_up(Vehicle, Location, Package, Size, _), 0.026779342951665733) :- goal_at(Package, Location2), could_pick_up(Vehicle, Location2), road(Location3, Location), nearer_at(Location3, Location, Location2), capacity(Vehicle2, Size), at(Vehicle2, Location3), !.
-delta(11, pick_up(Vehicle, Location, Package, _, _), -0.546488753882465) :- goal_at(Package, Location2), could_pick_up(Vehicle, Location2), road(Location3, Location), nearer_at(Location3, Location, Location2), !.
-delta(11, pick_up(Vehicle, _, Package, _, _), 0.04943194185745003) :- goal_at(Package, Location), could_pick_up(Vehicle, Location), !.
-delta(11, pick_up(_, _, _, _, _), 0.2662425551832483) :- !.
-delta(11, drive(_, _, Location), -0.24858611919709125) :- fewer_in_2_than_todo_at_1, todo_at(_, Location), !.
-delta(11, drive(_, _, _), 0.2185304617659976) :- fewer_in_2_than_todo_at_1, !.
-delta(11, _, 0.05551840781764623) :- fewer_in_2_than_todo_at_1, fewer_in_2_than_in_1, !.
-delta(11, _, -0.2741235098046715) :- fewer_in_2_than_todo_at_1, !.
-delta(11, _, 1.3003134116266673e-18) :- fewer_at_2_than_at_1, fewer_capacity_2_than_todo_at_1, !.
-delta(11, _, 0.2526893005168567) :- fewer_at_2_than_at_1, !.
-delta(11, drive(_, _, _), -0.06762435364849972) :- !.
-delta(11, _, 0.0673931343694394).
+% tree 11: step size 1.0, 205 examples, 21 leaves
+delta(11, drive(Vehicle, Location, Location2), 0.005282960948209302) :- at(Vehicle, Location3), toward_could_pick_up_needed_in_to_drop(Vehicle, Location3, Location2), goal_at(_, Location2), could_drop(Vehicle, Location), !.
+delta(11, drive(Vehicle, _, Location), -0.08560311253741267) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), goal_at(_, Location), !.
+delta(11, drive(Vehicle, _, Location), -0.017774114369752417) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), at(Vehicle, Location3), toward_could_drop_todo_at(Vehicle, Location, Location3), !.
+delta(11, drive(Vehicle, _, Location), 0.27321797106426166) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), !.
+delta(11, drive(_, _, Location), 0.017310411202773796) :- fewer_in_2_than_todo_at_1, goal_at(Locatable, Location), done_at(Locatable, Location), !.
+delta(11, drive(_, _, _), -0.2629665680263607) :- fewer_in_2_than_todo_at_1, !.
+delta(11, drive(Vehicle, _, Location), 0.10387612643052122) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
+delta(11, drive(_, _, _), -0.05517430243010161) :- !.
+delta(11, pick_up(Vehicle, Location, Package, _, _), 0.005267632479404064) :- goal_at(Locatable, Location), done_at(Locatable, Location), todo_at(Package, Location2), toward_could_pick_up_needed_capacity_to_drop(Vehicle, Location2, Location), !.
+delta(11, pick_up(_, Location, _, _, _), -0.19445090650649) :- goal_at(Locatable, Location), done_at(Locatable, Location), !.
+delta(11, pick_up(_, Location, Package, _, _), 0.13409126646474462) :- todo_at(Package, Location2), road(Location, Location2), !.
+delta(11, pick_up(_, _, _, Size, _), 0.043537956476269554) :- capacity(Vehicle, Size), in(_, Vehicle), !.
+delta(11, pick_up(_, _, _, _, _), -0.05891226938219621) :- !.
+delta(11, drop(Vehicle, _, _, _, _), -0.04269423477971433) :- fewer_capacity_1_than_at_2, capacity(Vehicle, Size), beyond_capacity_predecessor(_, Size), fewer_in_2_than_todo_at_1, !.
+delta(11, drop(Vehicle, _, _, _, _), 0.002490162277734379) :- fewer_capacity_1_than_at_2, capacity(Vehicle, Size), beyond_capacity_predecessor(_, Size), !.
+delta(11, drop(_, _, _, _, _), 0.022177331732884487) :- fewer_capacity_1_than_at_2, fewer_at_2_than_at_1, !.
+delta(11, drop(_, _, _, _, _), -0.011247967901665651) :- fewer_capacity_1_than_at_2, !.
+delta(11, drop(Vehicle, Location, Package, _, _), -0.006887388526216104) :- todo_at(Package, Location2), toward_could_pick_up(Vehicle, Location2, Location), !.
+delta(11, drop(_, _, _, _, _), -0.0017867142330110762) :- fewer_capacity_1_than_todo_at_1, !.
+delta(11, drop(_, _, _, _, _), 0.13085865584189665) :- !.
+delta(11, _, 0.0).
 
-% tree 12: step size 1.0, 209 examples, 12 leaves
-delta(12, drive(Vehicle, _, Location), -0.03875143283872294) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), fewer_in_2_than_todo_at_2, fewer_at_2_than_todo_at_1, !.
-delta(12, drive(Vehicle, _, Location), 0.14263687511143186) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), fewer_in_2_than_todo_at_2, !.
-delta(12, drive(Vehicle, _, Location), -0.46131548540022443) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
-delta(12, drive(Vehicle, Location, Location2), 0.14229784543112317) :- road(Location3, Location), toward_could_pick_up_for_todo_at_package_any(Vehicle, Location3, Location), at(Vehicle, Location4), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location2, Location4), !.
-delta(12, drive(Vehicle, Location, _), -0.18766474531233976) :- road(Location2, Location), toward_could_pick_up_for_todo_at_package_any(Vehicle, Location2, Location), !.
-delta(12, drive(Vehicle, Location, _), -0.07571581601688751) :- road(Location2, Location), could_pick_up_for_todo_at_package_any(Vehicle, Location2), !.
-delta(12, drive(_, _, _), 0.5366261444423077) :- !.
-delta(12, _, 0.0) :- fewer_in_2_than_at_2, fewer_capacity_2_than_todo_at_2_at_2, fewer_in_2_than_in_1, !.
-delta(12, _, 0.015879471090475872) :- fewer_in_2_than_at_2, fewer_capacity_2_than_todo_at_2_at_2, !.
-delta(12, _, -0.24904025368933924) :- fewer_in_2_than_at_2, fewer_at_2_than_at_1, !.
-delta(12, _, -0.03718126570294823) :- fewer_in_2_than_at_2, !.
-delta(12, _, 0.04876816713926414).
+% tree 12: step size 1.0, 202 examples, 16 leaves
+delta(12, drive(Vehicle, _, Location), 0.011194868549867098) :- goal_at(Locatable, Location), fewer_in_2_than_at_2, at(Locatable, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location2, Location), !.
+delta(12, drive(_, _, Location), -0.17124157409939397) :- goal_at(_, Location), fewer_in_2_than_at_2, !.
+delta(12, drive(_, _, Location), -0.011704412248074348) :- goal_at(Locatable, Location), at(Locatable, _), !.
+delta(12, drive(_, _, Location), 0.041841866317402734) :- goal_at(_, Location), !.
+delta(12, drive(Vehicle, _, Location), 0.009240255463135229) :- at(Locatable, Location), vehicle(Locatable), at(Vehicle, Location2), could_drop_for_todo_at_any_location(Vehicle, Location2), !.
+delta(12, drive(_, _, Location), -0.08033882601004338) :- at(Locatable, Location), vehicle(Locatable), !.
+delta(12, drive(_, Location, Location2), -0.026041584810098092) :- todo_at(Locatable, Location), at(Locatable, Location2), !.
+delta(12, drive(_, _, _), 0.3525043329061042) :- !.
+delta(12, pick_up(_, _, Package, _, _), 0.15391748342612144) :- todo_at(Package, _), !.
+delta(12, pick_up(_, _, _, _, _), -0.32287133271896307) :- !.
+delta(12, drop(_, Location, Package, _, _), 0.03237914507673832) :- fewer_in_2_than_todo_at_2_at_2, todo_at(Package, Location), !.
+delta(12, drop(_, _, _, _, _), -0.00791363179722171) :- fewer_in_2_than_todo_at_2_at_2, !.
+delta(12, drop(Vehicle, _, _, _, _), 0.00846918188841282) :- at(Vehicle, Location), could_pick_up_for_todo_at_any_location(Vehicle, Location), !.
+delta(12, drop(_, Location, _, _, Size), 0.003966038139237927) :- capacity(Vehicle, Size), at(Vehicle, Location), !.
+delta(12, drop(_, _, _, _, _), -0.1078115384122338) :- !.
+delta(12, _, 0.0).
 
-% tree 13: step size 1.0, 216 examples, 12 leaves
-delta(13, drop(_, Location, Package, _, Size), 0.03466727558037182) :- todo_at(Package, Location), capacity(Vehicle, Size), in(_, Vehicle), road(Location2, Location), todo_at(_, Location2), !.
-delta(13, drop(_, Location, Package, _, Size), -0.13575901505800259) :- todo_at(Package, Location), capacity(Vehicle, Size), in(_, Vehicle), !.
-delta(13, drop(_, Location, Package, _, _), 0.614958146445583) :- todo_at(Package, Location), !.
-delta(13, drop(_, _, _, _, _), -0.6074659377799557) :- !.
-delta(13, drive(Vehicle, _, _), 0.19648108574737622) :- fewer_in_2_than_todo_at_2, capacity(Vehicle, Size), capacity_predecessor(Size, _), !.
-delta(13, drive(_, _, _), -0.19445383461267868) :- fewer_in_2_than_todo_at_2, !.
-delta(13, _, -0.07112962980505631) :- fewer_in_2_than_todo_at_2, fewer_in_2_than_todo_at_2_at_2, !.
-delta(13, _, 0.16288415598011913) :- fewer_in_2_than_todo_at_2, !.
-delta(13, _, 0.08047693879714585) :- fewer_at_2_than_todo_at_1, fewer_at_2_than_at_1, !.
-delta(13, _, 0.00108293583509854) :- fewer_at_2_than_todo_at_1, !.
-delta(13, _, -0.16661531658893758) :- fewer_in_2_than_at_2, !.
-delta(13, _, -0.02334177245179966).
+% tree 13: step size 1.0, 206 examples, 16 leaves
+delta(13, drive(Vehicle, Location, Location2), -0.005290124588511556) :- todo_at(Locatable, Location), at(Locatable, Location3), toward_could_pick_up_needed_capacity_to_drop(Vehicle, Location2, Location3), road(Location, Location3), !.
+delta(13, drive(Vehicle, Location, Location2), 0.07499716300985118) :- todo_at(Locatable, Location), at(Locatable, Location3), toward_could_pick_up_needed_capacity_to_drop(Vehicle, Location2, Location3), !.
+delta(13, drive(_, Location, _), 0.0163999628360181) :- todo_at(_, Location), fewer_in_2_than_in_1, !.
+delta(13, drive(_, Location, _), -0.2102618032889187) :- todo_at(_, Location), !.
+delta(13, drive(Vehicle, _, Location), -0.04613090270086291) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
+delta(13, drive(Vehicle, _, Location), -0.03382471637545038) :- at(Vehicle, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location2, Location), !.
+delta(13, drive(_, _, _), 0.26120712294862725) :- !.
+delta(13, pick_up(Vehicle, _, Package, _, _), -0.012868205143566123) :- todo_at(Package, _), at(Vehicle, Location), could_drop_todo_at(Vehicle, Location), !.
+delta(13, pick_up(_, _, Package, _, _), 0.19594354535906688) :- todo_at(Package, _), !.
+delta(13, pick_up(_, _, _, _, _), -0.23089601301579482) :- !.
+delta(13, drop(Vehicle, _, _, _, _), 0.02035616894618751) :- at(Vehicle, Location), could_pick_up_for_todo_at_any_location(Vehicle, Location), !.
+delta(13, drop(_, Location, _, _, _), 0.022413325860952384) :- fewer_in_2_than_in_1, todo_at(_, Location), !.
+delta(13, drop(_, _, _, _, _), -0.005999119148177897) :- fewer_in_2_than_in_1, !.
+delta(13, drop(_, _, _, _, _), 0.0024816985981877715) :- fewer_capacity_1_than_at_2, !.
+delta(13, drop(_, _, _, _, _), -0.1458819601766652) :- !.
+delta(13, _, 0.0).
 
-% tree 14: step size 1.0, 214 examples, 14 leaves
-delta(14, pick_up(_, Location, Package, _, _), 0.04238163746657029) :- goal_at(_, Location), todo_at(Package, Location2), road(Location, Location2), !.
-delta(14, pick_up(Vehicle, Location, _, _, _), 0.01658817973997438) :- goal_at(Locatable, Location), done_at(Locatable, Location2), could_pick_up_for_todo_at_package_any(Vehicle, Location2), !.
-delta(14, pick_up(_, Location, _, _, _), -0.4874304708420227) :- goal_at(_, Location), !.
-delta(14, pick_up(_, _, _, Size, Size2), -0.028975459474670177) :- capacity(Vehicle, Size), could_drop_for_todo_at_package_any(Vehicle, Size2), !.
-delta(14, pick_up(Vehicle, Location, _, _, _), -0.0033719184730764424) :- road(Location2, Location), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
-delta(14, pick_up(_, _, _, _, _), 0.21659314746824937) :- !.
-delta(14, drive(Vehicle, Location, Location2), 0.07097070087529689) :- fewer_capacity_2_than_todo_at_1, road(Location3, Location), toward_could_pick_up(Vehicle, Location3, Location2), !.
-delta(14, drive(_, _, _), -0.2875173195427766) :- fewer_capacity_2_than_todo_at_1, !.
-delta(14, _, -0.011477463194163729) :- fewer_capacity_2_than_todo_at_1, fewer_in_2_than_todo_at_1, !.
-delta(14, _, 0.15875018163858848) :- fewer_capacity_2_than_todo_at_1, !.
-delta(14, drive(Vehicle, _, Location), -0.2638959220808849) :- road(Location2, Location), toward_could_drop_for_todo_at_any_location(Vehicle, Location, Location2), !.
-delta(14, drive(_, _, _), 0.35275580974922194) :- !.
-delta(14, _, 0.04083617409606888) :- fewer_capacity_1_than_at_2, !.
-delta(14, _, -0.045636272886062056).
+% tree 14: step size 1.0, 204 examples, 16 leaves
+delta(14, drive(_, Location, _), -0.0463236211483242) :- goal_at(Locatable, Location), at(Locatable, Location2), road(Location, Location2), fewer_capacity_1_than_at_2, !.
+delta(14, drive(_, Location, _), 0.01740605798298483) :- goal_at(Locatable, Location), at(Locatable, Location2), road(Location, Location2), !.
+delta(14, drive(Vehicle, Location, Location2), -0.039783369112169044) :- goal_at(Locatable, Location), at(Locatable, Location3), toward_could_drop_todo_at(Vehicle, Location2, Location3), !.
+delta(14, drive(_, Location, _), 0.18099939650229085) :- goal_at(Locatable, Location), at(Locatable, _), !.
+delta(14, drive(_, Location, Location2), 0.05137966717494893) :- todo_at(Locatable, Location2), at(Locatable, Location), fewer_at_2_than_todo_at_2, !.
+delta(14, drive(_, Location, Location2), -0.019527489975704224) :- todo_at(Locatable, Location2), at(Locatable, Location), !.
+delta(14, drive(_, _, _), -0.20832144861777793) :- fewer_in_2_than_todo_at_2, !.
+delta(14, drive(_, _, _), 0.015585351037871094) :- !.
+delta(14, pick_up(Vehicle, _, Package, _, _), -0.03149525849485753) :- todo_at(Package, _), at(Vehicle, Location), could_drop_todo_at(Vehicle, Location), fewer_capacity_2_than_at_2, !.
+delta(14, pick_up(Vehicle, _, Package, _, _), 0.00040624373454219994) :- todo_at(Package, _), at(Vehicle, Location), could_drop_todo_at(Vehicle, Location), !.
+delta(14, pick_up(_, _, Package, _, _), 0.0004746615280541908) :- todo_at(Package, _), fewer_at_2_than_todo_at_1_at_1, !.
+delta(14, pick_up(_, _, Package, _, _), 0.1890077447426286) :- todo_at(Package, _), !.
+delta(14, pick_up(_, _, _, _, _), -0.21499519834770991) :- !.
+delta(14, drop(_, Location, Package, _, _), 0.19655047500106038) :- todo_at(Package, Location), !.
+delta(14, drop(_, _, _, _, _), -0.09310496228609341) :- !.
+delta(14, _, 0.0).
 
-% tree 15: step size 1.0, 211 examples, 12 leaves
-delta(15, drop(Vehicle, Location, Package, _, _), -0.0065668378541979) :- todo_at(Package, Location), road(Location2, Location), could_pick_up_for_todo_at_package_any(Vehicle, Location2), !.
-delta(15, drop(Vehicle, Location, Package, _, _), -0.00334991936792539) :- todo_at(Package, Location), todo_at(Package, Location2), could_pick_up_for_todo_at_package_any(Vehicle, Location2), !.
-delta(15, drop(_, Location, Package, _, _), 0.431463107240614) :- todo_at(Package, Location), !.
-delta(15, drop(_, _, _, _, _), -0.2949846235411789) :- !.
-delta(15, drive(Vehicle, Location, _), 0.27645070517522086) :- fewer_in_2_than_todo_at_2, road(Location2, Location), could_pick_up_for_todo_at_package_any(Vehicle, Location2), !.
-delta(15, drive(_, _, _), -0.1350886816050639) :- fewer_in_2_than_todo_at_2, !.
-delta(15, _, -0.22990724354468672) :- fewer_in_2_than_todo_at_2, fewer_capacity_2_than_at_2, !.
-delta(15, _, 0.0264615304400347) :- fewer_in_2_than_todo_at_2, !.
-delta(15, drive(Vehicle, _, Location), 0.13591220688117803) :- at(Vehicle, Location2), toward_could_drop_for_todo_at_any_location(Vehicle, Location2, Location), !.
-delta(15, drive(_, _, _), -0.33996865964460116) :- !.
-delta(15, _, -0.05546358880153886) :- fewer_in_2_than_at_2, !.
-delta(15, _, 0.0794898987947153).
+% tree 15: step size 1.0, 201 examples, 21 leaves
+delta(15, drive(_, Location, _), 0.0024459686881558203) :- at(Locatable, Location), todo_at(Locatable, _), fewer_in_2_than_in_1, !.
+delta(15, drive(_, Location, _), -0.11433818212457225) :- at(Locatable, Location), todo_at(Locatable, _), !.
+delta(15, drive(Vehicle, _, Location), 0.011998081845058572) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), todo_at(_, Location), !.
+delta(15, drive(Vehicle, _, Location), -0.0721303715585625) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
+delta(15, drive(Vehicle, _, Location), -0.013376372509762011) :- at(Vehicle, Location2), toward_could_pick_up_needed_capacity_to_drop(Vehicle, Location2, Location), !.
+delta(15, drive(_, _, _), 0.25010877288610867) :- !.
+delta(15, pick_up(Vehicle, _, Package, _, _), 0.03130039438781214) :- goal_at(Package, Location), at(_, Location), could_drop_for_todo_at_any_location(Vehicle, Location), todo_at(Package, Location), !.
+delta(15, pick_up(Vehicle, _, Package, _, _), -0.002168925884226624) :- goal_at(Package, Location), at(_, Location), could_drop_for_todo_at_any_location(Vehicle, Location), !.
+delta(15, pick_up(_, Location, Package, _, _), 0.027968965808023) :- goal_at(Package, Location2), at(Locatable, Location2), todo_at(Locatable, Location), !.
+delta(15, pick_up(_, _, Package, _, _), -0.1734921866465968) :- goal_at(Package, Location), at(_, Location), !.
+delta(15, pick_up(_, _, _, _, _), 0.0006065896647679685) :- fewer_capacity_1_than_at_2, !.
+delta(15, pick_up(_, _, _, _, _), 0.059972386250539675) :- !.
+delta(15, drop(_, _, _, _, Size), 0.0005494034188173553) :- beyond_capacity_predecessor(Size, _), fewer_at_2_than_todo_at_1, fewer_capacity_1_than_todo_at_2, !.
+delta(15, drop(_, _, _, _, Size), -0.023577144004295784) :- beyond_capacity_predecessor(Size, _), fewer_at_2_than_todo_at_1, !.
+delta(15, drop(_, Location, Package, _, Size), -0.006308538600453752) :- beyond_capacity_predecessor(Size, _), todo_at(Package, Location2), road(Location, Location2), !.
+delta(15, drop(_, _, _, _, Size), 0.08793070517048261) :- beyond_capacity_predecessor(Size, _), !.
+delta(15, drop(_, Location, Package, _, _), 0.025318485162012346) :- fewer_in_2_than_todo_at_2_at_2, todo_at(Package, Location), !.
+delta(15, drop(_, _, _, _, _), -0.0048528068197142595) :- fewer_in_2_than_todo_at_2_at_2, !.
+delta(15, drop(_, _, _, _, _), 0.017637352866401612) :- fewer_at_2_than_at_1, !.
+delta(15, drop(_, _, _, _, _), -0.21073220998175912) :- !.
+delta(15, _, 0.0).
 
-% tree 16: step size 1.0, 223 examples, 15 leaves
-delta(16, pick_up(Vehicle, Location, _, _, _), -0.03999992967307197) :- capacity(Vehicle, Size), capacity_predecessor(Size, Size2), capacity(Vehicle2, Size2), could_pick_up_for_todo_at_package_any(Vehicle2, Location), at(Vehicle2, Location2), toward_could_drop_for_todo_at_any_location(Vehicle, Location2, Location), !.
-delta(16, pick_up(Vehicle, Location, _, _, _), 0.10009107998155083) :- capacity(Vehicle, Size), capacity_predecessor(Size, Size2), capacity(Vehicle2, Size2), could_pick_up_for_todo_at_package_any(Vehicle2, Location), !.
-delta(16, pick_up(Vehicle, _, _, _, _), 0.01064549705938207) :- capacity(Vehicle, Size), capacity_predecessor(Size, _), fewer_at_2_than_todo_at_1, !.
-delta(16, pick_up(Vehicle, _, _, _, _), -0.20728979735943906) :- capacity(Vehicle, Size), capacity_predecessor(Size, _), !.
-delta(16, pick_up(_, _, Package, _, _), -0.021616828107284075) :- done_at(Package, Location), todo_at(_, Location), !.
-delta(16, pick_up(Vehicle, _, Package, _, _), -0.0003487107438873839) :- done_at(Package, Location), could_pick_up_for_todo_at_package_any(Vehicle, Location), !.
-delta(16, pick_up(_, _, _, _, _), 0.28566279797901034) :- !.
-delta(16, drive(Vehicle, Location, _), -0.13689895585659567) :- fewer_capacity_2_than_todo_at_2, road(Location2, Location), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
-delta(16, drive(_, _, _), 0.22582891062152724) :- fewer_capacity_2_than_todo_at_2, !.
-delta(16, _, 0.0055255387652868235) :- fewer_capacity_2_than_todo_at_2, fewer_capacity_1_than_in_1, !.
-delta(16, _, -0.09412982210583011) :- fewer_capacity_2_than_todo_at_2, !.
-delta(16, _, 0.014023167128074807) :- fewer_in_2_than_todo_at_2, fewer_in_2_than_in_1, !.
-delta(16, _, -0.18636563039417992) :- fewer_in_2_than_todo_at_2, !.
-delta(16, drive(_, _, _), -0.018352122470645937) :- !.
-delta(16, _, 0.06444931807997908).
+% tree 16: step size 1.0, 210 examples, 22 leaves
+delta(16, drive(Vehicle, Location, Location2), 0.0006057210229101298) :- at(Vehicle, Location3), toward_could_pick_up(Vehicle, Location3, Location2), at(Vehicle, Location4), toward_could_drop_for_todo_at_any_location(Vehicle, Location2, Location4), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
+delta(16, drive(Vehicle, _, Location), -0.03124714528844506) :- at(Vehicle, Location2), toward_could_pick_up(Vehicle, Location2, Location), at(Vehicle, Location3), toward_could_drop_for_todo_at_any_location(Vehicle, Location, Location3), !.
+delta(16, drive(Vehicle, _, Location), -0.0191954491590534) :- at(Vehicle, Location2), toward_could_pick_up(Vehicle, Location2, Location), at(Locatable, Location), vehicle(Locatable), !.
+delta(16, drive(Vehicle, _, Location), 0.19638314174437246) :- at(Vehicle, Location2), toward_could_pick_up(Vehicle, Location2, Location), !.
+delta(16, drive(_, _, Location), -0.03083840721423961) :- todo_at(_, Location), fewer_capacity_1_than_todo_at_1, !.
+delta(16, drive(_, _, Location), 0.11015978356858118) :- todo_at(_, Location), !.
+delta(16, drive(_, Location, _), 0.06586572075721693) :- todo_at(Locatable, Location), at(Locatable, _), !.
+delta(16, drive(_, _, _), -0.3559701281567537) :- !.
+delta(16, pick_up(Vehicle, Location, Package, _, _), -0.03827865872282464) :- fewer_at_2_than_todo_at_1, todo_at(Package, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(16, pick_up(_, _, _, _, _), 0.08316371033163997) :- fewer_at_2_than_todo_at_1, !.
+delta(16, pick_up(Vehicle, _, Package, _, _), 0.043702286136457505) :- todo_at(Package, Location), could_pick_up(Vehicle, Location), !.
+delta(16, pick_up(_, _, _, _, _), 0.016682602648083602) :- fewer_in_2_than_in_1, !.
+delta(16, pick_up(_, _, _, _, _), -0.1468659646297521) :- !.
+delta(16, drop(_, Location, Package, _, _), 0.006833906334776287) :- fewer_capacity_2_than_at_2, goal_at(Locatable, Location), at(Locatable, _), todo_at(Package, Location), !.
+delta(16, drop(_, Location, _, _, _), -0.0023529515379980426) :- fewer_capacity_2_than_at_2, goal_at(Locatable, Location), at(Locatable, _), !.
+delta(16, drop(_, _, _, _, _), 0.0018057872878799112) :- fewer_capacity_2_than_at_2, fewer_in_2_than_in_1, !.
+delta(16, drop(_, _, _, _, _), -0.032400205262486236) :- fewer_capacity_2_than_at_2, !.
+delta(16, drop(Vehicle, Location, Package, _, _), 0.0030471573975480435) :- goal_at(Locatable, Location), done_at(Locatable, Location), todo_at(Package, Location2), could_pick_up(Vehicle, Location2), !.
+delta(16, drop(_, Location, _, _, _), -0.020183577887824537) :- goal_at(Locatable, Location), done_at(Locatable, Location), !.
+delta(16, drop(_, _, _, _, _), 0.15734272140683092) :- fewer_in_2_than_at_2, !.
+delta(16, drop(_, _, _, _, _), -0.0010675097766074933) :- !.
+delta(16, _, 0.0).
 
-% tree 17: step size 1.0, 204 examples, 15 leaves
-delta(17, pick_up(Vehicle, Location, Package, _, _), 0.09508780027236105) :- goal_at(Package, Location2), at(_, Location2), road(Location3, Location), could_pick_up_for_todo_at_package_any(Vehicle, Location3), fewer_capacity_2_than_todo_at_1, !.
-delta(17, pick_up(Vehicle, Location, Package, _, _), -0.040407564810900624) :- goal_at(Package, Location2), at(_, Location2), road(Location3, Location), could_pick_up_for_todo_at_package_any(Vehicle, Location3), !.
-delta(17, pick_up(_, _, Package, _, _), -0.20246500887483002) :- goal_at(Package, Location), at(_, Location), road(Location2, Location), todo_at(_, Location2), !.
-delta(17, pick_up(_, _, Package, _, _), 0.0044621030991847275) :- goal_at(Package, Location), at(_, Location), !.
-delta(17, pick_up(_, Location, _, Size, _), -0.05742649728985605) :- capacity(Vehicle, Size), could_drop_todo_at(Vehicle, Location), !.
-delta(17, pick_up(_, _, _, _, _), -0.008213581185683841) :- fewer_capacity_1_than_at_2, !.
-delta(17, pick_up(_, _, _, _, _), 0.23052087215213357) :- !.
-delta(17, drive(Vehicle, _, _), -0.20601524341928146) :- fewer_in_2_than_at_2, at(Vehicle, Location), could_pick_up_for_todo_at_package_any(Vehicle, Location), !.
-delta(17, drive(_, _, _), 0.16222571697067215) :- fewer_in_2_than_at_2, !.
-delta(17, _, 0.03234589472313631) :- fewer_in_2_than_at_2, fewer_capacity_1_than_todo_at_1, !.
-delta(17, _, -0.2101187088398252) :- fewer_in_2_than_at_2, !.
-delta(17, drive(Vehicle, Location, Location2), 0.028569032075201867) :- road(Location3, Location), toward_could_drop_todo_at(Vehicle, Location3, Location2), !.
-delta(17, drive(_, _, _), -0.14622418557601732) :- !.
-delta(17, _, 0.21435913235566323) :- fewer_capacity_2_than_todo_at_1, !.
-delta(17, _, -0.011611943330947743).
+% tree 17: step size 1.0, 204 examples, 21 leaves
+delta(17, drive(Vehicle, Location, Location2), -0.04509834652906848) :- todo_at(Locatable, Location), at(Locatable, Location3), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location2, Location), could_pick_up_needed_capacity_to_drop(Vehicle, Location3), !.
+delta(17, drive(Vehicle, Location, Location2), 0.028565622873321685) :- todo_at(Locatable, Location), at(Locatable, _), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location2, Location), !.
+delta(17, drive(Vehicle, Location, _), -0.010821299531622622) :- todo_at(Locatable, Location), at(Locatable, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(17, drive(_, Location, _), 0.10678448401710013) :- todo_at(Locatable, Location), at(Locatable, _), !.
+delta(17, drive(_, _, Location), -0.01099951129538093) :- fewer_capacity_2_than_todo_at_2_at_2, todo_at(Locatable, Location), at(Locatable, _), !.
+delta(17, drive(_, _, _), 0.019032473782749446) :- fewer_capacity_2_than_todo_at_2_at_2, !.
+delta(17, drive(_, _, _), 0.0030012010226863747) :- fewer_capacity_2_than_in_1, !.
+delta(17, drive(_, _, _), -0.17506674275250053) :- !.
+delta(17, pick_up(_, _, _, Size, _), 0.014983604399475237) :- beyond_capacity_predecessor(_, Size), fewer_capacity_2_than_todo_at_1, fewer_capacity_1_than_todo_at_2, !.
+delta(17, pick_up(_, _, _, Size, _), -0.08379815263312357) :- beyond_capacity_predecessor(_, Size), fewer_capacity_2_than_todo_at_1, !.
+delta(17, pick_up(_, _, Package, Size, _), 0.034782324456881765) :- beyond_capacity_predecessor(_, Size), todo_at(Package, _), !.
+delta(17, pick_up(_, _, _, Size, _), -0.011803827061782192) :- beyond_capacity_predecessor(_, Size), !.
+delta(17, pick_up(_, _, Package, _, Size), -0.020473666120676973) :- todo_at(Package, Location), capacity(Vehicle, Size), could_drop_todo_at(Vehicle, Location), !.
+delta(17, pick_up(_, _, Package, _, _), 0.13209025863724172) :- todo_at(Package, _), !.
+delta(17, pick_up(_, _, _, _, _), -0.010615752267978232) :- !.
+delta(17, drop(_, Location, Package, _, _), -0.025282801703481746) :- todo_at(Package, Location2), road(Location, Location2), !.
+delta(17, drop(_, Location, _, _, _), -0.011661977048901238) :- at(Locatable, Location), todo_at(Locatable, Location2), road(Location, Location2), !.
+delta(17, drop(_, Location, _, _, _), 0.0007437392764412259) :- at(Locatable, Location), todo_at(Locatable, _), !.
+delta(17, drop(_, _, Package, _, _), 0.10653443222288662) :- todo_at(Package, Location), at(_, Location), !.
+delta(17, drop(_, _, _, _, _), -0.004340722844251111) :- !.
+delta(17, _, 0.0).
 
-% tree 18: step size 1.0, 213 examples, 13 leaves
-delta(18, drop(_, Location, Package, _, _), 0.07396309353677544) :- todo_at(Package, Location), fewer_in_2_than_todo_at_2, fewer_in_2_than_in_1, !.
-delta(18, drop(_, Location, Package, _, _), -0.10936166477121154) :- todo_at(Package, Location), fewer_in_2_than_todo_at_2, !.
-delta(18, drop(_, Location, Package, _, _), -0.004487277416173825) :- todo_at(Package, Location), fewer_capacity_2_than_todo_at_2, !.
-delta(18, drop(_, Location, Package, _, _), 0.2854380422988026) :- todo_at(Package, Location), !.
-delta(18, drop(_, _, _, _, _), -0.2901504699129174) :- !.
-delta(18, _, -0.006535659562230347) :- fewer_in_2_than_todo_at_2, fewer_capacity_2_than_at_2, fewer_capacity_2_than_todo_at_1, !.
-delta(18, _, 0.043500944959823915) :- fewer_in_2_than_todo_at_2, fewer_capacity_2_than_at_2, !.
-delta(18, _, -0.006587937093642862) :- fewer_in_2_than_todo_at_2, fewer_capacity_1_than_todo_at_1, !.
-delta(18, _, 0.16552563177371904) :- fewer_in_2_than_todo_at_2, !.
-delta(18, _, 0.010680333888121599) :- fewer_capacity_2_than_at_2, fewer_capacity_2_than_in_1, !.
-delta(18, _, -0.1916769829363299) :- fewer_capacity_2_than_at_2, !.
-delta(18, drive(_, _, _), 0.024113898693156846) :- !.
-delta(18, _, -0.010668888835376478).
+% tree 18: step size 1.0, 207 examples, 22 leaves
+delta(18, drive(Vehicle, _, Location), 0.00721532723837481) :- fewer_capacity_2_than_todo_at_2, could_pick_up_for_todo_at_any_location(Vehicle, Location), at(Vehicle, Location2), could_drop_for_todo_at_any_location(Vehicle, Location2), !.
+delta(18, drive(Vehicle, _, Location), -0.03935456577624231) :- fewer_capacity_2_than_todo_at_2, could_pick_up_for_todo_at_any_location(Vehicle, Location), !.
+delta(18, drive(_, Location, _), -0.009272007633793926) :- fewer_capacity_2_than_todo_at_2, at(Locatable, Location), todo_at(Locatable, _), !.
+delta(18, drive(_, _, _), 0.18210594752459683) :- fewer_capacity_2_than_todo_at_2, !.
+delta(18, drive(Vehicle, Location, Location2), 0.015304479220699935) :- at(Locatable, Location2), todo_at(Locatable, Location3), toward_could_pick_up(Vehicle, Location3, Location), !.
+delta(18, drive(_, _, Location), -0.22677281173164093) :- at(_, Location), !.
+delta(18, drive(_, _, _), -0.020101982542936585) :- fewer_capacity_2_than_todo_at_1, !.
+delta(18, drive(_, _, _), 0.06151638625239747) :- !.
+delta(18, pick_up(_, Location, Package, Size, _), 0.044390071896799665) :- capacity(Vehicle, Size), todo_at(Package, Location2), could_drop(Vehicle, Location2), could_pick_up(Vehicle, Location), !.
+delta(18, pick_up(_, _, Package, Size, _), -0.018674163808521244) :- capacity(Vehicle, Size), todo_at(Package, Location), could_drop(Vehicle, Location), !.
+delta(18, pick_up(_, _, _, Size, _), -0.16182769776096972) :- capacity(_, Size), fewer_capacity_1_than_todo_at_1, !.
+delta(18, pick_up(_, _, _, Size, _), 0.005637788900039892) :- capacity(_, Size), !.
+delta(18, pick_up(_, _, Package, _, _), 0.07143759850310688) :- todo_at(Package, _), !.
+delta(18, pick_up(_, _, _, _, _), -0.007259776392652324) :- !.
+delta(18, drop(_, _, _, _, Size), -0.017808296247447033) :- capacity(_, Size), fewer_at_2_than_todo_at_2, !.
+delta(18, drop(Vehicle, Location, _, _, Size), -0.004782158823308636) :- capacity(Vehicle2, Size), at(Vehicle2, Location2), toward_could_drop_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(18, drop(_, _, _, _, Size), 0.18535776808291893) :- capacity(_, Size), !.
+delta(18, drop(_, Location, Package, _, _), 0.0034322532287834155) :- goal_at(Locatable, Location), done_at(Locatable, Location), todo_at(Package, Location), !.
+delta(18, drop(_, Location, _, _, _), -0.0002711984783358213) :- goal_at(Locatable, Location), done_at(Locatable, Location), !.
+delta(18, drop(_, _, _, _, _), 0.00028471454875605024) :- fewer_at_2_than_todo_at_2, !.
+delta(18, drop(_, _, _, _, _), -0.06209944916333256) :- !.
+delta(18, _, 0.0).
 
-% tree 19: step size 1.0, 210 examples, 13 leaves
-delta(19, drop(Vehicle, Location, Package, _, _), 0.002615912455213654) :- todo_at(Package, Location), todo_at(Package, Location2), could_pick_up_for_todo_at_package_any(Vehicle, Location2), fewer_capacity_1_than_todo_at_1, !.
-delta(19, drop(Vehicle, Location, Package, _, _), -0.014210903501611274) :- todo_at(Package, Location), todo_at(Package, Location2), could_pick_up_for_todo_at_package_any(Vehicle, Location2), !.
-delta(19, drop(_, Location, Package, _, _), 0.3340186912562452) :- todo_at(Package, Location), !.
-delta(19, drop(Vehicle, _, _, _, Size), -0.007724685062845725) :- capacity(Vehicle2, Size), in(_, Vehicle2), at(Vehicle2, Location), could_drop_todo_at(Vehicle, Location), !.
-delta(19, drop(_, _, _, _, Size), 0.00902160042311175) :- capacity(Vehicle, Size), in(_, Vehicle), !.
-delta(19, drop(_, _, _, _, _), -0.20112771828080558) :- !.
-delta(19, _, 0.0) :- fewer_at_2_than_todo_at_2, fewer_capacity_2_than_todo_at_1, fewer_capacity_2_than_todo_at_2_at_2, !.
-delta(19, _, -0.15162541599682594) :- fewer_at_2_than_todo_at_2, fewer_capacity_2_than_todo_at_1, !.
-delta(19, _, 0.0008284209507513679) :- fewer_at_2_than_todo_at_2, !.
-delta(19, drive(Vehicle, _, Location), -0.2764853824653114) :- at(Vehicle, Location2), toward_could_drop_for_todo_at_any_location(Vehicle, Location, Location2), !.
-delta(19, drive(_, _, _), 0.15813415707310255) :- !.
-delta(19, _, 0.10841678332663454) :- fewer_capacity_2_than_todo_at_1, !.
-delta(19, _, -0.1585510813617765).
+% tree 19: step size 1.0, 203 examples, 20 leaves
+delta(19, drive(_, Location, Location2), 0.011387706912905037) :- todo_at(Locatable, Location2), fewer_in_2_than_todo_at_1, at(Locatable, Location3), nearer_at(Location3, Location2, Location), !.
+delta(19, drive(_, _, Location), -0.11359055092993846) :- todo_at(_, Location), fewer_in_2_than_todo_at_1, !.
+delta(19, drive(Vehicle, Location, Location2), 0.016085755758593022) :- todo_at(Locatable, Location2), todo_at(Locatable, Location3), toward_could_drop_for_todo_at_any_location(Vehicle, Location, Location3), !.
+delta(19, drive(_, _, Location), -0.0013040488475406285) :- todo_at(_, Location), !.
+delta(19, drive(Vehicle, Location, Location2), 0.0057315389178322716) :- at(Vehicle, Location3), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location2, Location3), todo_at(Locatable, Location), at(Locatable, Location2), !.
+delta(19, drive(Vehicle, _, Location), -0.05867944818832959) :- at(Vehicle, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(19, drive(Vehicle, _, Location), -0.036845346145213384) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
+delta(19, drive(_, _, _), 0.23608670762579625) :- !.
+delta(19, pick_up(Vehicle, _, Package, _, _), -0.0119780256023588) :- todo_at(Package, Location), could_pick_up(Vehicle, Location), at(Locatable, Location), vehicle(Locatable), !.
+delta(19, pick_up(Vehicle, _, Package, _, _), 0.09342838866940913) :- todo_at(Package, Location), could_pick_up(Vehicle, Location), !.
+delta(19, pick_up(_, _, Package, _, _), -0.1467217510426415) :- fewer_capacity_2_than_todo_at_2_at_2, todo_at(Package, Location), at(_, Location), !.
+delta(19, pick_up(_, _, _, _, _), -9.371840141541559e-6) :- fewer_capacity_2_than_todo_at_2_at_2, !.
+delta(19, pick_up(_, _, Package, _, _), 0.07094853495949746) :- todo_at(Package, _), !.
+delta(19, pick_up(_, _, _, _, _), -0.02540254257524907) :- !.
+delta(19, drop(Vehicle, Location, Package, _, Size), 0.0007723287614430888) :- todo_at(Package, Location), todo_at(Package, Location2), could_pick_up_needed_in_to_drop(Vehicle, Location2), capacity(_, Size), !.
+delta(19, drop(Vehicle, Location, Package, _, _), -0.013716213411037119) :- todo_at(Package, Location), todo_at(Package, Location2), could_pick_up_needed_in_to_drop(Vehicle, Location2), !.
+delta(19, drop(_, Location, Package, _, _), -0.005110083771713931) :- todo_at(Package, Location), todo_at(Locatable, Location), at(Locatable, _), !.
+delta(19, drop(_, Location, Package, _, _), 0.05917734977092388) :- todo_at(Package, Location), !.
+delta(19, drop(_, _, _, _, _), -0.14737646069455373) :- !.
+delta(19, _, 0.0).
 
-% tree 20: step size 1.0, 207 examples, 15 leaves
-delta(20, pick_up(Vehicle, Location, Package, Size, _), 0.008731030630600942) :- todo_at(Package, Location2), road(Location, Location2), capacity(Vehicle2, Size), toward_could_pick_up_for_todo_at_package_any(Vehicle2, Location2, Location), road(Location3, Location2), toward_could_pick_up(Vehicle, Location3, Location), !.
-delta(20, pick_up(_, Location, Package, Size, _), -0.10839047552802486) :- todo_at(Package, Location2), road(Location, Location2), capacity(Vehicle, Size), toward_could_pick_up_for_todo_at_package_any(Vehicle, Location2, Location), !.
-delta(20, pick_up(Vehicle, Location, Package, _, _), -0.015269006981359556) :- todo_at(Package, Location2), road(Location, Location2), road(Location3, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location3), !.
-delta(20, pick_up(_, Location, Package, _, _), 0.13725075085665314) :- todo_at(Package, Location2), road(Location, Location2), !.
-delta(20, pick_up(_, Location, _, Size, _), 0.019734302234360086) :- capacity(Vehicle, Size), at(Vehicle, Location), !.
-delta(20, pick_up(_, Location, _, Size, _), 0.01711531461437526) :- capacity(Vehicle, Size), could_pick_up_for_todo_at_any_location(Vehicle, Location), !.
-delta(20, pick_up(_, _, _, _, _), -0.3506652576181648) :- !.
-delta(20, drive(Vehicle, _, Location), -0.20673591024917484) :- fewer_capacity_2_than_todo_at_1, road(Location2, Location), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
-delta(20, drive(_, _, _), 0.14562515654125902) :- fewer_capacity_2_than_todo_at_1, !.
-delta(20, _, -0.0429923374670693) :- fewer_capacity_2_than_todo_at_1, fewer_capacity_1_than_todo_at_1, !.
-delta(20, _, 0.05698947355863313) :- fewer_capacity_2_than_todo_at_1, !.
-delta(20, _, -0.007438047079433222) :- fewer_in_2_than_todo_at_2, fewer_at_2_than_todo_at_1, !.
-delta(20, _, 0.198886985828483) :- fewer_in_2_than_todo_at_2, !.
-delta(20, drive(_, _, _), -0.06795477782637066) :- !.
-delta(20, _, 0.08909968052751374).
+% tree 20: step size 1.0, 223 examples, 20 leaves
+delta(20, drive(_, Location, Location2), -0.11122996251877314) :- todo_at(_, Location2), todo_at(Locatable, Location), at(Locatable, Location2), fewer_capacity_1_than_at_2, !.
+delta(20, drive(_, Location, Location2), 0.01209530617447378) :- todo_at(_, Location2), todo_at(Locatable, Location), at(Locatable, Location2), !.
+delta(20, drive(Vehicle, Location, Location2), -0.06191802568992567) :- todo_at(Locatable, Location2), at(Locatable, Location3), toward_could_pick_up(Vehicle, Location, Location3), !.
+delta(20, drive(_, _, Location), 0.2747449288383804) :- todo_at(_, Location), !.
+delta(20, drive(Vehicle, _, Location), -0.0373142008733788) :- at(Vehicle, Location2), could_drop_for_todo_at_any_location(Vehicle, Location2), at(Vehicle, Location3), toward_could_drop_todo_at(Vehicle, Location, Location3), !.
+delta(20, drive(Vehicle, _, _), 0.0515446298844021) :- at(Vehicle, Location), could_drop_for_todo_at_any_location(Vehicle, Location), !.
+delta(20, drive(_, _, _), 0.017071045404396135) :- fewer_at_2_than_todo_at_1, !.
+delta(20, drive(_, _, _), -0.18004370852652476) :- !.
+delta(20, pick_up(Vehicle, Location, Package, _, Size), -0.10362457405086839) :- todo_at(Package, Location2), toward_could_pick_up(Vehicle, Location2, Location), capacity(Vehicle2, Size), could_drop(Vehicle2, Location), fewer_in_2_than_todo_at_2, !.
+delta(20, pick_up(Vehicle, Location, Package, _, Size), 0.0035318906367785355) :- todo_at(Package, Location2), toward_could_pick_up(Vehicle, Location2, Location), capacity(Vehicle2, Size), could_drop(Vehicle2, Location), !.
+delta(20, pick_up(Vehicle, Location, Package, _, _), 0.006320928185269191) :- todo_at(Package, Location2), toward_could_pick_up(Vehicle, Location2, Location), !.
+delta(20, pick_up(_, _, Package, Size, _), -0.009533882096763624) :- todo_at(Package, Location), capacity(Vehicle, Size), could_drop_todo_at(Vehicle, Location), !.
+delta(20, pick_up(_, _, Package, _, _), 0.15323773863216258) :- todo_at(Package, _), !.
+delta(20, pick_up(_, _, _, _, _), -0.010336207697614421) :- !.
+delta(20, drop(Vehicle, _, _, _, _), -0.023675824571701636) :- at(Vehicle, Location), could_drop_todo_at(Vehicle, Location), fewer_in_2_than_in_1, fewer_capacity_2_than_todo_at_1, !.
+delta(20, drop(Vehicle, _, _, _, _), 0.009824294627691044) :- at(Vehicle, Location), could_drop_todo_at(Vehicle, Location), fewer_in_2_than_in_1, !.
+delta(20, drop(Vehicle, _, _, _, _), -0.006181529182257355) :- at(Vehicle, Location), could_drop_todo_at(Vehicle, Location), fewer_capacity_1_than_at_2, !.
+delta(20, drop(Vehicle, _, _, _, _), 0.07126308709565314) :- at(Vehicle, Location), could_drop_todo_at(Vehicle, Location), !.
+delta(20, drop(_, _, _, _, _), -0.05644416226557571) :- !.
+delta(20, _, 0.0).
 
-% tree 21: step size 1.0, 206 examples, 14 leaves
-delta(21, drop(Vehicle, Location, Package, _, _), -0.04273301939407206) :- todo_at(Package, Location2), at(_, Location2), road(Location3, Location), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location3), !.
-delta(21, drop(_, _, Package, Size, _), 0.43265639331879435) :- todo_at(Package, Location), at(_, Location), capacity(Vehicle, Size), at(Vehicle, Location), !.
-delta(21, drop(_, _, Package, _, _), -0.02415992660757548) :- todo_at(Package, Location), at(_, Location), !.
-delta(21, drop(_, Location, _, _, _), -0.06536476768487055) :- road(Location2, Location), at(_, Location2), !.
-delta(21, drop(Vehicle, Location, _, _, _), 0.02998358874352868) :- road(Location2, Location), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
-delta(21, drop(_, _, _, _, _), -0.028537738410739998) :- !.
-delta(21, drive(_, _, _), 0.15726787382847998) :- fewer_in_2_than_todo_at_1, fewer_capacity_2_than_todo_at_2_at_2, !.
-delta(21, _, -0.15683058421557375) :- fewer_in_2_than_todo_at_1, fewer_capacity_2_than_todo_at_2_at_2, !.
-delta(21, _, -0.20991337891824893) :- fewer_in_2_than_todo_at_1, fewer_at_2_than_at_1, !.
-delta(21, _, -0.001490574065820435) :- fewer_in_2_than_todo_at_1, !.
-delta(21, drive(_, _, _), 0.03312680046170064) :- fewer_capacity_2_than_at_2, !.
-delta(21, _, -0.0016380448127056727) :- fewer_capacity_2_than_at_2, !.
-delta(21, _, -0.015187649130558692) :- fewer_in_2_than_at_2, !.
-delta(21, _, 0.0014872775217768903).
+% tree 21: step size 1.0, 218 examples, 18 leaves
+delta(21, drive(Vehicle, _, Location), -0.009962233352083103) :- at(Locatable, Location), vehicle(Locatable), at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
+delta(21, drive(Vehicle, _, Location), -0.00802424804410763) :- at(Locatable, Location), vehicle(Locatable), at(Vehicle, Location2), toward_could_pick_up_needed_capacity_to_drop(Vehicle, Location2, Location), !.
+delta(21, drive(_, _, Location), 0.22392314158674387) :- at(Locatable, Location), vehicle(Locatable), !.
+delta(21, drive(Vehicle, _, Location), -0.030231041908987434) :- at(Vehicle, Location2), toward_could_drop_for_todo_at_any_location(Vehicle, Location2, Location), in(Package, Vehicle), todo_at(Package, Location), !.
+delta(21, drive(Vehicle, _, Location), 0.0671260284151035) :- at(Vehicle, Location2), toward_could_drop_for_todo_at_any_location(Vehicle, Location2, Location), !.
+delta(21, drive(_, _, _), 0.007419173052821246) :- fewer_at_2_than_todo_at_1, !.
+delta(21, drive(_, _, _), -0.1652582453352439) :- !.
+delta(21, pick_up(_, _, Package, Size, _), 0.01017941069286527) :- goal_at(Package, Location), at(_, Location), needed_capacity_to_drop(Size), todo_at(Package, Location), !.
+delta(21, pick_up(_, _, Package, Size, _), -0.003375625323464024) :- goal_at(Package, Location), at(_, Location), needed_capacity_to_drop(Size), !.
+delta(21, pick_up(_, Location, Package, _, _), 0.0020248180430902205) :- goal_at(Package, Location2), at(Locatable, Location2), todo_at(Locatable, Location), !.
+delta(21, pick_up(_, _, Package, _, _), -0.11275381248765318) :- goal_at(Package, Location), at(_, Location), !.
+delta(21, pick_up(_, _, _, _, _), 0.03408283339359932) :- !.
+delta(21, drop(_, Location, Package, _, Size), 0.0075436441134293306) :- todo_at(Package, Location), capacity(Vehicle, Size), at(Vehicle, Location), todo_at(Package, Location2), could_drop(Vehicle, Location2), !.
+delta(21, drop(_, Location, Package, _, Size), -0.026881904848185628) :- todo_at(Package, Location), capacity(Vehicle, Size), at(Vehicle, Location), !.
+delta(21, drop(_, Location, Package, _, Size), 0.056918845129317525) :- todo_at(Package, Location), capacity(_, Size), !.
+delta(21, drop(_, Location, Package, _, _), -0.005601187561339173) :- todo_at(Package, Location), !.
+delta(21, drop(_, _, _, _, _), -0.030994974160727884) :- !.
+delta(21, _, 0.0).
 
-% tree 22: step size 1.0, 207 examples, 14 leaves
-delta(22, pick_up(_, Location, Package, _, _), -0.07529230853557987) :- fewer_capacity_1_than_at_2, todo_at(Package, Location2), at(Locatable, Location2), goal_at(Locatable, Location3), nearer_at(Location, Location2, Location3), !.
-delta(22, pick_up(_, _, Package, _, _), 0.1143993361701015) :- fewer_capacity_1_than_at_2, todo_at(Package, Location), at(_, Location), !.
-delta(22, pick_up(_, _, _, _, _), -0.1972125895279299) :- fewer_capacity_1_than_at_2, !.
-delta(22, pick_up(_, Location, Package, _, _), -0.09060942727516637) :- todo_at(Package, Location2), road(Location3, Location), nearer_at(Location2, Location3, Location), !.
-delta(22, pick_up(_, _, Package, _, _), 0.3026603402313175) :- todo_at(Package, _), !.
-delta(22, pick_up(_, _, _, _, _), -0.05721624278436067) :- !.
-delta(22, drive(_, Location, Location2), 0.21315484747401195) :- fewer_capacity_1_than_at_2, road(Location3, Location2), nearer_at(Location, Location2, Location3), !.
-delta(22, drive(_, _, _), -0.10199357784920955) :- fewer_capacity_1_than_at_2, !.
-delta(22, _, -0.05143324890010033) :- fewer_capacity_1_than_at_2, fewer_in_2_than_todo_at_2, !.
-delta(22, _, 0.03108883791092209) :- fewer_capacity_1_than_at_2, !.
-delta(22, _, -1.9360059030803994e-18) :- fewer_in_2_than_todo_at_2, fewer_in_2_than_in_1, !.
-delta(22, _, -0.18506627157299005) :- fewer_in_2_than_todo_at_2, !.
-delta(22, _, 0.04168658839519579) :- fewer_in_2_than_at_2, !.
-delta(22, _, -0.0013325320360880889).
+% tree 22: step size 1.0, 211 examples, 19 leaves
+delta(22, drive(Vehicle, _, Location), 0.025298394261761517) :- at(Locatable, Location), vehicle(Locatable), at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), fewer_capacity_2_than_at_2, !.
+delta(22, drive(Vehicle, _, Location), -0.010353524121588556) :- at(Locatable, Location), vehicle(Locatable), at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
+delta(22, drive(_, _, Location), -0.08577532979780121) :- at(Locatable, Location), vehicle(Locatable), fewer_capacity_2_than_at_2, !.
+delta(22, drive(_, _, Location), 0.002606339198182703) :- at(Locatable, Location), vehicle(Locatable), !.
+delta(22, drive(Vehicle, _, Location), 0.019771425138719094) :- at(Vehicle, Location2), toward_could_drop_for_todo_at_any_location(Vehicle, Location2, Location), fewer_capacity_1_than_at_2, !.
+delta(22, drive(Vehicle, _, Location), -0.07054723892612622) :- at(Vehicle, Location2), toward_could_drop_for_todo_at_any_location(Vehicle, Location2, Location), !.
+delta(22, drive(Vehicle, _, _), -0.03600515712242915) :- at(Vehicle, Location), could_pick_up_needed_capacity_to_drop(Vehicle, Location), !.
+delta(22, drive(_, _, _), 0.1481008535213562) :- !.
+delta(22, pick_up(Vehicle, Location, Package, _, _), 0.01658625555632881) :- goal_at(Package, Location2), could_pick_up(Vehicle, Location2), todo_at(Locatable, Location), at(Locatable, Location2), !.
+delta(22, pick_up(Vehicle, Location, Package, _, _), 0.00194106385788505) :- goal_at(Package, Location2), could_pick_up(Vehicle, Location2), todo_at(Package, Location3), toward_could_pick_up_needed_in_to_drop(Vehicle, Location3, Location), !.
+delta(22, pick_up(Vehicle, _, Package, _, _), -0.14866350573264075) :- goal_at(Package, Location), could_pick_up(Vehicle, Location), !.
+delta(22, pick_up(_, Location, _, Size, _), -0.014672433378242925) :- capacity(Vehicle, Size), at(Vehicle, Location), !.
+delta(22, pick_up(_, _, _, _, _), 0.00018288574154154988) :- fewer_at_2_than_todo_at_1_at_1, !.
+delta(22, pick_up(_, _, _, _, _), 0.0981441546940094) :- !.
+delta(22, drop(Vehicle, _, _, _, _), 0.02638298616846917) :- at(Vehicle, Location), could_drop_todo_at(Vehicle, Location), fewer_in_2_than_todo_at_2, !.
+delta(22, drop(Vehicle, _, _, _, _), -0.013755346370569639) :- at(Vehicle, Location), could_drop_todo_at(Vehicle, Location), fewer_in_2_than_todo_at_1, !.
+delta(22, drop(Vehicle, _, _, _, _), 0.012845957199107007) :- at(Vehicle, Location), could_drop_todo_at(Vehicle, Location), !.
+delta(22, drop(_, _, _, _, _), -0.01339769404640632) :- !.
+delta(22, _, 0.0).
 
-% tree 23: step size 1.0, 215 examples, 13 leaves
-delta(23, pick_up(_, Location, _, _, _), -0.10604414839633107) :- at(Locatable, Location), todo_at(Locatable, Location2), road(Location3, Location2), nearer_at(Location, Location2, Location3), fewer_capacity_1_than_at_2, !.
-delta(23, pick_up(_, Location, _, _, _), 0.03876101659492335) :- at(Locatable, Location), todo_at(Locatable, Location2), road(Location3, Location2), nearer_at(Location, Location2, Location3), !.
-delta(23, pick_up(_, Location, _, Size, _), -0.04433644689884495) :- at(Locatable, Location), todo_at(Locatable, _), capacity_predecessor(Size2, Size), capacity(_, Size2), !.
-delta(23, pick_up(_, Location, _, _, _), 0.3629576943571757) :- at(Locatable, Location), todo_at(Locatable, _), !.
-delta(23, pick_up(_, _, _, _, _), -0.19450571357041319) :- !.
-delta(23, drive(_, _, _), 0.046453696254021265) :- fewer_capacity_1_than_todo_at_1, fewer_in_2_than_in_1, !.
-delta(23, _, -0.04166921050474724) :- fewer_capacity_1_than_todo_at_1, fewer_in_2_than_in_1, !.
-delta(23, _, -0.005182842710767541) :- fewer_capacity_1_than_todo_at_1, fewer_capacity_1_than_todo_at_2, !.
-delta(23, _, -0.20393469759512184) :- fewer_capacity_1_than_todo_at_1, !.
-delta(23, _, 0.18484777021356075) :- fewer_capacity_1_than_at_2, fewer_at_2_than_at_1, !.
-delta(23, _, -5.576990038004141e-19) :- fewer_capacity_1_than_at_2, !.
-delta(23, _, -0.08372754986121422) :- fewer_in_2_than_todo_at_2, !.
-delta(23, _, 0.019571522969279664).
+% tree 23: step size 1.0, 212 examples, 20 leaves
+delta(23, drive(Vehicle, _, Location), 0.022477909413700006) :- at(Vehicle, Location2), could_drop(Vehicle, Location2), fewer_capacity_2_than_in_1, at(Vehicle, Location3), toward_could_drop_todo_at(Vehicle, Location3, Location), !.
+delta(23, drive(Vehicle, _, _), -0.002808257960454859) :- at(Vehicle, Location), could_drop(Vehicle, Location), fewer_capacity_2_than_in_1, !.
+delta(23, drive(Vehicle, _, _), -0.07059990443418782) :- at(Vehicle, Location), could_drop(Vehicle, Location), fewer_in_2_than_todo_at_1, !.
+delta(23, drive(Vehicle, _, _), 0.0069246427003744546) :- at(Vehicle, Location), could_drop(Vehicle, Location), !.
+delta(23, drive(Vehicle, _, Location), 0.0062961295082559965) :- at(Locatable, Location), vehicle(Locatable), at(Vehicle, Location2), toward_could_pick_up_needed_capacity_to_drop(Vehicle, Location2, Location), !.
+delta(23, drive(_, _, Location), -0.03064325930893972) :- at(Locatable, Location), vehicle(Locatable), !.
+delta(23, drive(Vehicle, _, _), -0.011306337888147068) :- at(Vehicle, Location), could_pick_up_needed_capacity_to_drop(Vehicle, Location), !.
+delta(23, drive(_, _, _), 0.23579564185655255) :- !.
+delta(23, pick_up(Vehicle, _, Package, _, _), 0.0036307750394400516) :- fewer_capacity_2_than_todo_at_2, todo_at(Package, Location), could_pick_up_needed_capacity_to_drop(Vehicle, Location), !.
+delta(23, pick_up(Vehicle, Location, Package, _, _), 0.0010296023491783316) :- fewer_capacity_2_than_todo_at_2, todo_at(Package, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(23, pick_up(_, _, _, _, _), -0.18647663216161128) :- fewer_capacity_2_than_todo_at_2, !.
+delta(23, pick_up(_, _, Package, _, _), 0.03777587780064302) :- todo_at(Package, _), !.
+delta(23, pick_up(_, _, _, _, _), -0.011114303930362333) :- !.
+delta(23, drop(_, Location, Package, _, _), 0.033607082114804544) :- fewer_capacity_1_than_at_2, todo_at(Package, Location), !.
+delta(23, drop(_, _, _, _, _), -0.003335013581983685) :- fewer_capacity_1_than_at_2, !.
+delta(23, drop(_, Location, Package, _, _), -0.00023654645686774895) :- goal_at(Locatable, Location), done_at(Locatable, Location), todo_at(Package, Location2), road(Location, Location2), !.
+delta(23, drop(_, Location, _, _, _), 0.017188581671431353) :- goal_at(Locatable, Location), done_at(Locatable, Location), !.
+delta(23, drop(_, _, _, _, _), -0.08443523377533231) :- fewer_in_2_than_todo_at_1, !.
+delta(23, drop(_, _, _, _, _), 0.0034597676238197228) :- !.
+delta(23, _, 0.0).
 
-% tree 24: step size 1.0, 211 examples, 13 leaves
-delta(24, pick_up(Vehicle, _, Package, _, _), 0.11737133548872) :- todo_at(Package, Location), could_drop(Vehicle, Location), !.
-delta(24, pick_up(_, Location, Package, _, _), -0.011442499507327113) :- todo_at(Locatable, Location), at(Locatable, Location2), goal_at(Package, Location3), nearer_at(Location2, Location3, Location), !.
-delta(24, pick_up(_, Location, _, _, _), 0.03493522883088211) :- todo_at(Locatable, Location), at(Locatable, _), !.
-delta(24, pick_up(_, _, _, _, _), -0.22433571695147903) :- fewer_capacity_2_than_todo_at_1, !.
-delta(24, pick_up(_, _, _, _, _), 0.014193060385316354) :- !.
-delta(24, _, -0.004529406547957941) :- fewer_capacity_2_than_todo_at_2_at_2, fewer_capacity_1_than_todo_at_2, fewer_capacity_1_than_todo_at_2_at_2, !.
-delta(24, _, 0.0035557895764252567) :- fewer_capacity_2_than_todo_at_2_at_2, fewer_capacity_1_than_todo_at_2, !.
-delta(24, _, -0.00046963153597899743) :- fewer_capacity_2_than_todo_at_2_at_2, fewer_capacity_2_than_in_1, !.
-delta(24, _, 0.09498637348592434) :- fewer_capacity_2_than_todo_at_2_at_2, !.
-delta(24, drive(_, _, _), -0.018510148738411253) :- fewer_in_2_than_in_1, !.
-delta(24, _, 0.07709873004985174) :- fewer_in_2_than_in_1, !.
-delta(24, _, -0.05640687968245007) :- fewer_in_2_than_at_2, !.
-delta(24, _, 0.012757577857558454).
+% tree 24: step size 1.0, 219 examples, 21 leaves
+delta(24, drive(Vehicle, _, _), 0.014912381674086433) :- capacity(Vehicle, Size), beyond_capacity_predecessor(Size, _), fewer_in_2_than_todo_at_1, fewer_at_2_than_todo_at_2, !.
+delta(24, drive(Vehicle, _, _), -0.15302332282141656) :- capacity(Vehicle, Size), beyond_capacity_predecessor(Size, _), fewer_in_2_than_todo_at_1, !.
+delta(24, drive(Vehicle, Location, Location2), 0.03577820627569209) :- capacity(Vehicle, Size), beyond_capacity_predecessor(Size, _), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
+delta(24, drive(Vehicle, _, _), -0.013795884830397379) :- capacity(Vehicle, Size), beyond_capacity_predecessor(Size, _), !.
+delta(24, drive(Vehicle, _, Location), 0.0008950327450167834) :- at(Vehicle, Location2), could_pick_up_needed_capacity_to_drop(Vehicle, Location2), at(Vehicle, Location3), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location3), !.
+delta(24, drive(Vehicle, _, _), -0.02439352460566569) :- at(Vehicle, Location), could_pick_up_needed_capacity_to_drop(Vehicle, Location), !.
+delta(24, drive(_, Location, _), -0.01157238828107574) :- at(Locatable, Location), todo_at(Locatable, _), !.
+delta(24, drive(_, _, _), 0.24028081411851163) :- !.
+delta(24, pick_up(Vehicle, Location, Package, _, _), -0.08288191739039272) :- todo_at(Package, Location2), could_pick_up(Vehicle, Location2), todo_at(Package, Location3), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location3), fewer_capacity_2_than_todo_at_2_at_2, !.
+delta(24, pick_up(Vehicle, Location, Package, _, _), 0.002132692769448102) :- todo_at(Package, Location2), could_pick_up(Vehicle, Location2), todo_at(Package, Location3), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location3), !.
+delta(24, pick_up(Vehicle, _, Package, _, _), 0.1413360451810121) :- todo_at(Package, Location), could_pick_up(Vehicle, Location), !.
+delta(24, pick_up(_, Location, Package, _, _), 0.025936502290555365) :- todo_at(Package, Location2), road(Location, Location2), !.
+delta(24, pick_up(_, Location, _, Size, _), 0.022700351818063652) :- capacity(Vehicle, Size), could_drop_todo_at(Vehicle, Location), !.
+delta(24, pick_up(_, _, _, _, _), -0.1541291765029725) :- !.
+delta(24, drop(Vehicle, _, Package, _, _), 0.01798654923216269) :- at(Vehicle, Location), could_pick_up(Vehicle, Location), todo_at(Package, Location2), could_pick_up(Vehicle, Location2), !.
+delta(24, drop(Vehicle, _, _, _, _), -0.0010829048777788646) :- at(Vehicle, Location), could_pick_up(Vehicle, Location), !.
+delta(24, drop(_, Location, Package, _, _), 0.006018978570187252) :- fewer_capacity_1_than_at_2, todo_at(Package, Location), !.
+delta(24, drop(_, _, _, _, _), -0.004470886614880354) :- fewer_capacity_1_than_at_2, !.
+delta(24, drop(_, _, _, _, _), 0.0018401071576669575) :- fewer_capacity_2_than_todo_at_2_at_2, !.
+delta(24, drop(_, _, _, _, _), -0.057323303578255505) :- !.
+delta(24, _, 0.0).
 
-% tree 25: step size 1.0, 228 examples, 16 leaves
-delta(25, pick_up(_, Location, _, _, Size), -0.03859669430224924) :- goal_at(Locatable, Location), capacity(Vehicle, Size), could_drop_for_todo_at_any_location(Vehicle, Location), todo_at(Locatable, Location2), at(Vehicle, Location2), !.
-delta(25, pick_up(_, Location, _, _, Size), 0.06541289980709396) :- goal_at(_, Location), capacity(Vehicle, Size), could_drop_for_todo_at_any_location(Vehicle, Location), !.
-delta(25, pick_up(Vehicle, Location, Package, _, _), 0.0037777451294031235) :- goal_at(_, Location), todo_at(Package, Location2), could_pick_up(Vehicle, Location2), !.
-delta(25, pick_up(_, Location, _, _, _), -0.327430410291293) :- goal_at(_, Location), !.
-delta(25, pick_up(_, Location, Package, _, Size), -0.07617765035020801) :- capacity(Vehicle, Size), in(_, Vehicle), todo_at(Package, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
-delta(25, pick_up(_, _, _, _, Size), 0.023389081416468428) :- capacity(Vehicle, Size), in(_, Vehicle), !.
-delta(25, pick_up(_, _, _, Size, _), -0.01970905028291932) :- capacity_predecessor(Size2, Size), capacity(_, Size2), !.
-delta(25, pick_up(_, _, _, _, _), 0.12901301931428052) :- !.
-delta(25, drive(_, _, _), -0.0025148369968992705) :- fewer_capacity_1_than_todo_at_1, fewer_capacity_2_than_in_1, !.
-delta(25, _, 0.0025186489535954306) :- fewer_capacity_1_than_todo_at_1, fewer_capacity_2_than_in_1, !.
-delta(25, _, -0.030071875045280586) :- fewer_capacity_1_than_todo_at_1, fewer_at_2_than_at_1, !.
-delta(25, _, 0.0) :- fewer_capacity_1_than_todo_at_1, !.
-delta(25, drive(Vehicle, Location, _), -0.3067422958061658) :- road(Location2, Location), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
-delta(25, drive(_, _, _), 0.33038840664834207) :- !.
-delta(25, _, 0.11835251133839021) :- fewer_capacity_2_than_todo_at_2, !.
-delta(25, _, -0.11594205795392526).
+% tree 25: step size 1.0, 220 examples, 22 leaves
+delta(25, drive(Vehicle, _, Location), -0.04049855843252455) :- at(Locatable, Location), goal_at(Locatable, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location2, Location), !.
+delta(25, drive(Vehicle, _, Location), 0.08111389394601483) :- at(Locatable, Location), goal_at(Locatable, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), !.
+delta(25, drive(Vehicle, Location, Location2), 0.0067287772394407025) :- at(Locatable, Location2), goal_at(Locatable, _), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(25, drive(_, _, Location), -0.2058350222406294) :- at(Locatable, Location), goal_at(Locatable, _), !.
+delta(25, drive(_, Location, _), 0.0) :- at(Locatable, Location), todo_at(Locatable, _), fewer_capacity_2_than_in_1, !.
+delta(25, drive(_, Location, _), -0.08059957767946191) :- at(Locatable, Location), todo_at(Locatable, _), !.
+delta(25, drive(Vehicle, _, _), -0.004097251125410196) :- at(Vehicle, Location), could_drop_todo_at(Vehicle, Location), !.
+delta(25, drive(_, _, _), 0.3580272939122799) :- !.
+delta(25, pick_up(Vehicle, Location, Package, _, _), -0.05690205160663342) :- todo_at(Package, Location2), at(_, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), fewer_capacity_1_than_todo_at_1, !.
+delta(25, pick_up(Vehicle, Location, Package, _, _), 0.0055527446531035245) :- todo_at(Package, Location2), at(_, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(25, pick_up(_, _, Package, _, _), 0.1297082870508233) :- todo_at(Package, Location), at(_, Location), fewer_capacity_2_than_todo_at_1, !.
+delta(25, pick_up(_, _, Package, _, _), -0.0018811836159113408) :- todo_at(Package, Location), at(_, Location), !.
+delta(25, pick_up(_, _, _, _, _), -0.23116767880054256) :- fewer_capacity_2_than_todo_at_1, fewer_capacity_2_than_at_2, !.
+delta(25, pick_up(_, _, _, _, _), 0.0026970600261951375) :- fewer_capacity_2_than_todo_at_1, !.
+delta(25, pick_up(_, _, Package, _, _), 0.04121127106763004) :- todo_at(Package, _), !.
+delta(25, pick_up(_, _, _, _, _), -0.013526612119502688) :- !.
+delta(25, drop(Vehicle, _, _, _, _), 0.04074002399161852) :- at(Vehicle, Location), could_pick_up_for_todo_at_any_location(Vehicle, Location), !.
+delta(25, drop(_, _, _, _, _), 0.001543871325593021) :- fewer_capacity_2_than_at_2, fewer_in_2_than_in_1, !.
+delta(25, drop(_, _, _, _, _), -0.053993057329727) :- fewer_capacity_2_than_at_2, !.
+delta(25, drop(_, Location, Package, _, _), 0.00926545235090872) :- todo_at(Package, Location), !.
+delta(25, drop(_, _, _, _, _), -0.006074277676558871) :- !.
+delta(25, _, 0.0).
 
-% tree 26: step size 1.0, 206 examples, 14 leaves
-delta(26, pick_up(Vehicle, Location, _, _, _), 0.02114327873801221) :- goal_at(Locatable, Location), done_at(Locatable, Location2), could_pick_up_for_todo_at_package_any(Vehicle, Location2), !.
-delta(26, pick_up(_, Location, _, Size, Size2), 0.008286314136665628) :- goal_at(_, Location), capacity(Vehicle, Size), toward_could_drop_for_todo_at_package_any(Vehicle, Size2, Size), !.
-delta(26, pick_up(_, Location, _, _, _), -0.09778721408421845) :- goal_at(_, Location), !.
-delta(26, pick_up(_, Location, _, Size, _), -0.017499437625643523) :- fewer_capacity_1_than_todo_at_1, capacity(Vehicle, Size), could_pick_up(Vehicle, Location), !.
-delta(26, pick_up(_, _, _, _, _), 0.01028954637897216) :- fewer_capacity_1_than_todo_at_1, !.
-delta(26, pick_up(_, _, _, _, _), 0.14506324543679291) :- !.
-delta(26, drive(_, _, _), -0.030542865115982542) :- fewer_capacity_2_than_at_2, fewer_capacity_1_than_todo_at_1, !.
-delta(26, _, 0.04551788830644055) :- fewer_capacity_2_than_at_2, fewer_capacity_1_than_todo_at_1, !.
-delta(26, drive(_, _, _), -0.0004444849326594139) :- fewer_capacity_2_than_at_2, !.
-delta(26, _, -0.12272618313174213) :- fewer_capacity_2_than_at_2, !.
-delta(26, drive(_, Location, _), 0.060087628799524846) :- goal_at(Locatable, Location), at(Locatable, _), !.
-delta(26, drive(_, _, _), -0.09975023488831096) :- !.
-delta(26, _, -0.002187970285872702) :- fewer_capacity_2_than_todo_at_2, !.
-delta(26, _, 0.08911810708013151).
+% tree 26: step size 1.0, 204 examples, 18 leaves
+delta(26, drive(Vehicle, _, Location), 0.0054033307884436155) :- at(Locatable, Location), vehicle(Locatable), fewer_in_2_than_in_1, at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
+delta(26, drive(_, _, Location), -0.0006887460189118396) :- at(Locatable, Location), vehicle(Locatable), fewer_in_2_than_in_1, !.
+delta(26, drive(_, _, Location), -0.08781291186385126) :- at(Locatable, Location), vehicle(Locatable), !.
+delta(26, drive(_, Location, Location2), -0.047199092206722824) :- todo_at(Locatable, Location), at(Locatable, Location2), fewer_capacity_1_than_at_2, !.
+delta(26, drive(_, Location, Location2), 0.012072403399260518) :- todo_at(Locatable, Location), at(Locatable, Location2), !.
+delta(26, drive(_, _, _), -0.012827120746688913) :- fewer_in_2_than_in_1, !.
+delta(26, drive(_, _, _), 0.3258549451156795) :- !.
+delta(26, pick_up(_, Location, Package, _, _), 0.0019576984144112335) :- todo_at(Package, Location2), road(Location, Location2), fewer_capacity_2_than_todo_at_2, fewer_capacity_1_than_todo_at_2, !.
+delta(26, pick_up(_, Location, Package, _, _), -0.2906751772578049) :- todo_at(Package, Location2), road(Location, Location2), fewer_capacity_2_than_todo_at_2, !.
+delta(26, pick_up(_, Location, Package, _, _), 0.00920728231252107) :- todo_at(Package, Location2), road(Location, Location2), !.
+delta(26, pick_up(_, _, Package, _, _), 0.038725195570106334) :- todo_at(Package, Location), at(_, Location), !.
+delta(26, pick_up(_, _, _, Size, _), -0.015545437425852605) :- capacity(_, Size), !.
+delta(26, pick_up(_, _, _, _, _), 0.006620234548259799) :- !.
+delta(26, drop(_, Location, Package, _, _), 0.0039430065337491375) :- todo_at(Package, Location), todo_at(Package, Location2), done_at(_, Location2), fewer_in_2_than_at_2, !.
+delta(26, drop(_, Location, Package, _, _), -0.00686545103236885) :- todo_at(Package, Location), todo_at(Package, Location2), done_at(_, Location2), !.
+delta(26, drop(_, Location, Package, _, _), 0.02584804852341428) :- todo_at(Package, Location), !.
+delta(26, drop(_, _, _, _, _), -0.02055341917694608) :- !.
+delta(26, _, 0.0).
 
-% tree 27: step size 1.0, 208 examples, 16 leaves
-delta(27, drive(Vehicle, Location, Location2), -0.0004597509058452221) :- goal_at(Locatable, Location2), at(Locatable, _), done_at(Locatable, Location3), could_drop(Vehicle, Location3), road(Location4, Location), toward_could_drop_for_todo_at_any_location(Vehicle, Location2, Location4), !.
-delta(27, drive(Vehicle, _, Location), 0.03847430392522916) :- goal_at(Locatable, Location), at(Locatable, _), done_at(Locatable, Location2), could_drop(Vehicle, Location2), !.
-delta(27, drive(Vehicle, _, Location), 0.030476214122631) :- goal_at(Locatable, Location), at(Locatable, Location2), at(Vehicle, Location3), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location2, Location3), !.
-delta(27, drive(_, _, Location), -0.24804233761431455) :- goal_at(Locatable, Location), at(Locatable, _), !.
-delta(27, drive(Vehicle, Location, Location2), 0.04744363062973278) :- road(Location3, Location), toward_could_pick_up(Vehicle, Location3, Location2), road(Location4, Location2), nearer_at(Location4, Location3, Location), !.
-delta(27, drive(Vehicle, Location, Location2), -0.13886552173459082) :- road(Location3, Location), toward_could_pick_up(Vehicle, Location3, Location2), !.
-delta(27, drive(Vehicle, _, Location), -0.06787271259275396) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
-delta(27, drive(_, _, _), 0.5005803353396744) :- !.
-delta(27, pick_up(Vehicle, Location, _, _, _), -0.004017344313772609) :- fewer_in_2_than_todo_at_2_at_2, road(Location2, Location), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
-delta(27, pick_up(_, _, _, _, _), 0.12833571896683488) :- fewer_in_2_than_todo_at_2_at_2, !.
-delta(27, _, 0.023735420175830794) :- fewer_in_2_than_todo_at_2_at_2, fewer_capacity_2_than_todo_at_2, !.
-delta(27, _, -0.07703722174317428) :- fewer_in_2_than_todo_at_2_at_2, !.
-delta(27, pick_up(_, _, _, _, _), 0.03485943337961721) :- fewer_capacity_1_than_todo_at_1, !.
-delta(27, _, -0.006051091367276948) :- fewer_capacity_1_than_todo_at_1, !.
-delta(27, _, 0.006599318480669586) :- fewer_at_2_than_todo_at_2, !.
-delta(27, _, -0.3759383822385906).
+% tree 27: step size 1.0, 221 examples, 20 leaves
+delta(27, drive(Vehicle, Location, Location2), 0.006369680002172278) :- at(Locatable, Location2), goal_at(Locatable, Location3), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location2, Location3), todo_at(Locatable, Location), !.
+delta(27, drive(Vehicle, _, Location), -0.05371880495121852) :- at(Locatable, Location), goal_at(Locatable, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(27, drive(_, _, Location), -0.03638778480431534) :- at(Locatable, Location), goal_at(Locatable, _), fewer_capacity_2_than_in_1, !.
+delta(27, drive(_, _, Location), 0.14307043412262488) :- at(Locatable, Location), goal_at(Locatable, _), !.
+delta(27, drive(Vehicle, _, Location), 0.03372209732268521) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), todo_at(_, Location), !.
+delta(27, drive(Vehicle, _, Location), 0.0001355608380928167) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), !.
+delta(27, drive(_, _, _), 0.01803885573406253) :- fewer_capacity_2_than_in_1, !.
+delta(27, drive(_, _, _), -0.15874058996763296) :- !.
+delta(27, pick_up(Vehicle, Location, Package, Size, _), -0.04036651826353375) :- todo_at(Package, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), capacity(Vehicle2, Size), could_pick_up(Vehicle2, Location), !.
+delta(27, pick_up(Vehicle, Location, Package, _, _), 0.0009013645084403613) :- todo_at(Package, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(27, pick_up(_, _, _, Size, _), -0.034209206399269644) :- capacity(Vehicle, Size), in(_, Vehicle), fewer_capacity_2_than_todo_at_2, !.
+delta(27, pick_up(_, _, _, Size, _), 0.0007761321303509558) :- capacity(Vehicle, Size), in(_, Vehicle), !.
+delta(27, pick_up(_, Location, _, _, _), -0.01841676412776491) :- goal_at(Locatable, Location), done_at(Locatable, Location), !.
+delta(27, pick_up(_, _, _, _, _), 0.1088767437887065) :- !.
+delta(27, drop(_, Location, _, _, _), -0.038380753824514745) :- todo_at(Locatable, Location), at(Locatable, _), !.
+delta(27, drop(_, _, _, _, _), 0.0061078617249040006) :- fewer_in_2_than_todo_at_2_at_2, fewer_at_2_than_todo_at_1, !.
+delta(27, drop(_, _, _, _, _), -0.02504042322055902) :- fewer_in_2_than_todo_at_2_at_2, !.
+delta(27, drop(_, Location, Package, _, _), -0.003390913145819285) :- todo_at(Package, Location2), road(Location, Location2), !.
+delta(27, drop(_, _, _, _, _), 0.07943237824746487) :- !.
+delta(27, _, 0.0).
 
-% tree 28: step size 1.0, 222 examples, 14 leaves
-delta(28, drop(Vehicle, _, _, Size, _), 3.8632326383735596e-5) :- capacity_predecessor(Size2, Size), capacity(Vehicle2, Size2), fewer_capacity_2_than_todo_at_1, at(Vehicle, Location), could_drop_todo_at(Vehicle2, Location), !.
-delta(28, drop(_, _, _, Size, _), -0.10779420348644307) :- capacity_predecessor(Size2, Size), capacity(_, Size2), fewer_capacity_2_than_todo_at_1, !.
-delta(28, drop(_, _, _, Size, _), 0.01680823010503283) :- capacity_predecessor(Size2, Size), capacity(_, Size2), !.
-delta(28, drop(_, Location, Package, _, _), -0.021514296310182163) :- todo_at(Package, Location), todo_at(Locatable, Location), at(Locatable, _), !.
-delta(28, drop(_, Location, Package, _, _), 0.2872802187635051) :- todo_at(Package, Location), !.
-delta(28, drop(_, _, _, _, _), -0.05285107892584701) :- !.
-delta(28, drive(_, _, _), 0.06416290221497896) :- fewer_capacity_1_than_at_2, fewer_in_2_than_todo_at_2_at_2, !.
-delta(28, _, -0.007642138029698619) :- fewer_capacity_1_than_at_2, fewer_in_2_than_todo_at_2_at_2, !.
-delta(28, drive(_, _, _), -0.09935868269937047) :- fewer_capacity_1_than_at_2, !.
-delta(28, _, 0.06003267456196758) :- fewer_capacity_1_than_at_2, !.
-delta(28, _, 0.011275277416318523) :- fewer_in_2_than_at_2, fewer_capacity_2_than_in_1, !.
-delta(28, _, -0.13738352151585376) :- fewer_in_2_than_at_2, !.
-delta(28, drive(_, _, _), 0.06711064415280388) :- !.
-delta(28, _, -0.055661729018332363).
+% tree 28: step size 1.0, 209 examples, 18 leaves
+delta(28, drive(Vehicle, _, Location), -0.02776000269424746) :- at(Locatable, Location), vehicle(Locatable), at(Vehicle, Location2), could_drop_for_todo_at_any_location(Vehicle, Location2), !.
+delta(28, drive(Vehicle, _, Location), -0.011496330487486012) :- at(Locatable, Location), vehicle(Locatable), at(Locatable, Location2), could_pick_up_for_todo_at_any_location(Vehicle, Location2), !.
+delta(28, drive(_, _, Location), 0.23944052660652645) :- at(Locatable, Location), vehicle(Locatable), !.
+delta(28, drive(Vehicle, _, Location), 0.06884429794854026) :- at(Vehicle, Location2), toward_could_drop_for_todo_at_any_location(Vehicle, Location, Location2), fewer_capacity_1_than_at_2, !.
+delta(28, drive(Vehicle, _, Location), -0.0028408829650074206) :- at(Vehicle, Location2), toward_could_drop_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(28, drive(_, _, Location), 0.03582212903115687) :- todo_at(Locatable, Location), at(Locatable, _), !.
+delta(28, drive(_, _, _), -0.26247753134412577) :- !.
+delta(28, pick_up(_, _, _, _, _), 0.000966815922227529) :- fewer_capacity_2_than_in_1, fewer_capacity_1_than_todo_at_2, !.
+delta(28, pick_up(_, _, _, _, _), -0.07429541339141095) :- fewer_capacity_2_than_in_1, !.
+delta(28, pick_up(_, Location, Package, Size, _), -0.0029718403998331673) :- todo_at(Package, Location2), capacity(Vehicle, Size), toward_could_pick_up(Vehicle, Location2, Location), !.
+delta(28, pick_up(_, _, Package, _, _), 0.1342860103158061) :- todo_at(Package, _), !.
+delta(28, pick_up(_, _, _, _, _), -0.005195912849733975) :- !.
+delta(28, drop(_, Location, Package, _, _), 0.025000479675629572) :- fewer_capacity_2_than_todo_at_1, todo_at(Package, Location), !.
+delta(28, drop(_, _, _, _, _), -0.0061032026053339065) :- fewer_capacity_2_than_todo_at_1, !.
+delta(28, drop(_, _, _, _, _), -0.06839251123329097) :- fewer_at_2_than_at_1, !.
+delta(28, drop(_, Location, Package, _, _), 0.0038292622497277154) :- todo_at(Package, Location), !.
+delta(28, drop(_, _, _, _, _), -0.0014411571644448872) :- !.
+delta(28, _, 0.0).
 
-% tree 29: step size 1.0, 231 examples, 15 leaves
-delta(29, pick_up(_, Location, Package, Size, _), 0.0) :- capacity(Vehicle, Size), at(Vehicle, Location), goal_at(Package, Location2), could_drop_todo_at(Vehicle, Location2), !.
-delta(29, pick_up(_, Location, Package, Size, _), 0.0009427675166632989) :- capacity(Vehicle, Size), at(Vehicle, Location), todo_at(Package, Location2), at(_, Location2), !.
-delta(29, pick_up(_, Location, _, Size, _), -0.12405582500998504) :- capacity(Vehicle, Size), at(Vehicle, Location), !.
-delta(29, pick_up(Vehicle, Location, _, Size, Size2), 0.02409637585136143) :- capacity(Vehicle2, Size), toward_could_drop_for_todo_at_package_any(Vehicle2, Size2, Size), at(Vehicle2, Location2), toward_could_pick_up_for_todo_at_package_any(Vehicle, Location2, Location), !.
-delta(29, pick_up(_, _, _, Size, Size2), -0.11172254703567869) :- capacity(Vehicle, Size), toward_could_drop_for_todo_at_package_any(Vehicle, Size2, Size), !.
-delta(29, pick_up(_, _, Package, _, _), 0.3021473156749021) :- goal_at(Package, Location), todo_at(_, Location), !.
-delta(29, pick_up(_, _, _, _, _), -0.026187810112029777) :- !.
-delta(29, drive(Vehicle, Location, Location2), 0.11113207787009866) :- fewer_in_2_than_in_1, road(Location3, Location), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location2, Location3), !.
-delta(29, drive(_, _, _), -0.102411285228507) :- fewer_in_2_than_in_1, !.
-delta(29, _, 0.04081610309184444) :- fewer_in_2_than_in_1, fewer_in_2_than_todo_at_2, !.
-delta(29, _, -0.006638815901088286) :- fewer_in_2_than_in_1, !.
-delta(29, drive(_, _, _), 0.04442965601953432) :- fewer_at_2_than_todo_at_1, !.
-delta(29, _, -0.021512026565771485) :- fewer_at_2_than_todo_at_1, !.
-delta(29, _, -0.11809175315999652) :- fewer_in_2_than_todo_at_2, !.
-delta(29, _, 0.0035436579445263295).
+% tree 29: step size 1.0, 253 examples, 17 leaves
+delta(29, drive(Vehicle, Location, Location2), -0.0005613260821944378) :- at(Vehicle, Location3), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location3), at(Vehicle, Location4), could_drop_for_todo_at_any_location(Vehicle, Location4), could_pick_up_needed_in_to_drop(Vehicle, Location), !.
+delta(29, drive(Vehicle, _, Location), 0.0006195567906238692) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location, Location2), at(Vehicle, Location3), could_drop_for_todo_at_any_location(Vehicle, Location3), !.
+delta(29, drive(Vehicle, _, Location), -0.10626734301588846) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location, Location2), !.
+delta(29, drive(Vehicle, Location, Location2), 0.0010372990218362156) :- todo_at(Locatable, Location), at(Locatable, Location2), todo_at(Locatable, Location3), toward_could_drop_todo_at(Vehicle, Location3, Location2), !.
+delta(29, drive(_, Location, Location2), -0.05568453013205902) :- todo_at(Locatable, Location), at(Locatable, Location2), !.
+delta(29, drive(Vehicle, _, Location), -0.01787060660765536) :- at(Vehicle, Location2), toward_could_drop_for_todo_at_any_location(Vehicle, Location2, Location), !.
+delta(29, drive(_, _, _), 0.23742074350502443) :- !.
+delta(29, pick_up(Vehicle, _, Package, _, _), 0.0032222503737269954) :- goal_at(Package, Location), at(_, Location), could_drop_for_todo_at_any_location(Vehicle, Location), !.
+delta(29, pick_up(_, Location, Package, _, _), 0.0007084546186295421) :- goal_at(Package, Location2), at(Locatable, Location2), todo_at(Locatable, Location), !.
+delta(29, pick_up(_, _, Package, _, _), -0.16764255717707036) :- goal_at(Package, Location), at(_, Location), !.
+delta(29, pick_up(_, Location, _, Size, _), -0.020157721073643577) :- capacity(Vehicle, Size), at(Vehicle, Location), !.
+delta(29, pick_up(_, _, _, _, _), 0.053667202060269564) :- !.
+delta(29, drop(_, Location, Package, _, Size), -0.017388766732499922) :- todo_at(Package, Location), fewer_in_2_than_in_1, capacity(_, Size), !.
+delta(29, drop(_, Location, Package, _, _), 0.005813164798820742) :- todo_at(Package, Location), fewer_in_2_than_in_1, !.
+delta(29, drop(_, Location, Package, _, _), 0.07159268897029757) :- todo_at(Package, Location), !.
+delta(29, drop(_, _, _, _, _), -0.060924169240326315) :- !.
+delta(29, _, 0.0).
 
-% tree 30: step size 1.0, 206 examples, 11 leaves
-delta(30, pick_up(_, _, _, Size, Size2), -0.008315903400604062) :- capacity(Vehicle, Size), toward_could_drop_for_todo_at_package_any(Vehicle, Size2, Size), fewer_in_2_than_todo_at_2_at_2, !.
-delta(30, pick_up(Vehicle, _, Package, Size, Size2), -0.001981856878603672) :- capacity(Vehicle2, Size), toward_could_drop_for_todo_at_package_any(Vehicle2, Size2, Size), goal_at(Package, Location), could_pick_up_for_todo_at_package_any(Vehicle, Location), !.
-delta(30, pick_up(_, _, _, Size, Size2), 0.0749732515378395) :- capacity(Vehicle, Size), toward_could_drop_for_todo_at_package_any(Vehicle, Size2, Size), !.
-delta(30, pick_up(Vehicle, Location, Package, _, _), 0.06355982180979215) :- todo_at(Package, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location2, Location), !.
-delta(30, pick_up(Vehicle, _, Package, _, _), 0.03259569801785193) :- todo_at(Package, Location), could_pick_up(Vehicle, Location), !.
-delta(30, pick_up(_, _, _, _, _), -0.23093544252201587) :- !.
-delta(30, _, 0.12296438530430068) :- fewer_at_2_than_todo_at_1_at_1, !.
-delta(30, drive(_, _, Location), 0.37046888078618695) :- goal_at(_, Location), !.
-delta(30, drive(_, _, _), -0.41219111840970124) :- !.
-delta(30, _, 0.06904151183804921) :- fewer_capacity_2_than_in_1, !.
-delta(30, _, -0.030007639405324773).
+% tree 30: step size 1.0, 207 examples, 16 leaves
+delta(30, drive(Vehicle, _, Location), -0.010504443128122626) :- fewer_capacity_1_than_todo_at_1, could_drop_for_todo_at_any_location(Vehicle, Location), at(Vehicle, Location2), toward_could_pick_up(Vehicle, Location, Location2), !.
+delta(30, drive(Vehicle, _, Location), 0.0398380781002347) :- fewer_capacity_1_than_todo_at_1, could_drop_for_todo_at_any_location(Vehicle, Location), !.
+delta(30, drive(Vehicle, _, Location), 0.0012435365623597097) :- fewer_capacity_1_than_todo_at_1, at(Vehicle, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(30, drive(_, _, _), -0.08981926324111887) :- fewer_capacity_1_than_todo_at_1, !.
+delta(30, drive(Vehicle, _, _), -0.005833314748829606) :- at(Vehicle, Location), could_drop_todo_at(Vehicle, Location), !.
+delta(30, drive(_, _, _), -0.0022471257957368935) :- fewer_capacity_2_than_todo_at_2_at_2, !.
+delta(30, drive(_, _, _), 0.11733613044747802) :- !.
+delta(30, pick_up(_, _, Package, _, _), 0.09424504724256341) :- todo_at(Package, Location), at(_, Location), !.
+delta(30, pick_up(_, Location, _, _, _), -0.035975421093261066) :- goal_at(Locatable, Location), at(Locatable, _), !.
+delta(30, pick_up(_, _, _, _, _), 0.0033286396330978536) :- !.
+delta(30, drop(Vehicle, _, _, _, _), 0.010992661109248382) :- at(Vehicle, Location), could_pick_up_for_todo_at_any_location(Vehicle, Location), !.
+delta(30, drop(_, Location, Package, _, _), 0.010839016713692057) :- fewer_in_2_than_in_1, todo_at(Package, Location), !.
+delta(30, drop(_, _, _, _, _), -0.005389742777663826) :- fewer_in_2_than_in_1, !.
+delta(30, drop(_, _, _, _, _), -0.13199370406082586) :- fewer_in_2_than_at_2, !.
+delta(30, drop(_, _, _, _, _), 0.0004308129880433219) :- !.
+delta(30, _, 0.0).
 
-% tree 31: step size 1.0, 205 examples, 13 leaves
-delta(31, drive(Vehicle, _, Location), 0.15747894374685126) :- at(Locatable, Location), goal_at(Locatable, Location2), could_drop_for_todo_at_any_location(Vehicle, Location2), road(Location3, Location2), toward_could_drop_todo_at(Vehicle, Location3, Location), !.
-delta(31, drive(Vehicle, _, Location), -0.03822164924872455) :- at(Locatable, Location), goal_at(Locatable, Location2), could_drop_for_todo_at_any_location(Vehicle, Location2), !.
-delta(31, drive(Vehicle, Location, Location2), 0.056776414012521766) :- at(Locatable, Location2), goal_at(Locatable, Location3), toward_could_pick_up(Vehicle, Location, Location3), !.
-delta(31, drive(_, _, Location), -0.31571147254375853) :- at(_, Location), !.
-delta(31, drive(_, _, Location), -0.01465840418119389) :- fewer_in_2_than_todo_at_1, todo_at(Locatable, Location), at(Locatable, _), !.
-delta(31, drive(_, _, _), 0.3694059004563062) :- fewer_in_2_than_todo_at_1, !.
-delta(31, drive(Vehicle, _, Location), 0.015778474590076797) :- in(Package, Vehicle), todo_at(Package, Location), !.
-delta(31, drive(_, _, _), -0.044100671436599195) :- !.
-delta(31, _, 0.10986264181425211) :- fewer_capacity_1_than_at_2, !.
-delta(31, _, 0.001081647961539946) :- fewer_in_2_than_at_2, fewer_capacity_2_than_todo_at_2_at_2, !.
-delta(31, _, -0.27165674978775023) :- fewer_in_2_than_at_2, !.
-delta(31, _, 0.05270654599753958) :- fewer_at_2_than_at_1, !.
-delta(31, _, -0.0005702012252912557).
+% tree 31: step size 1.0, 218 examples, 20 leaves
+delta(31, drive(Vehicle, _, Location), 0.01233387616450592) :- capacity(Vehicle, Size), beyond_capacity_predecessor(Size, _), fewer_capacity_2_than_todo_at_2, could_drop_todo_at(Vehicle, Location), !.
+delta(31, drive(Vehicle, _, _), -0.2816869851969451) :- capacity(Vehicle, Size), beyond_capacity_predecessor(Size, _), fewer_capacity_2_than_todo_at_2, !.
+delta(31, drive(Vehicle, Location, Location2), -0.004248647407777862) :- capacity(Vehicle, Size), beyond_capacity_predecessor(Size, _), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location2, Location), !.
+delta(31, drive(Vehicle, _, _), 0.04162214877414997) :- capacity(Vehicle, Size), beyond_capacity_predecessor(Size, _), !.
+delta(31, drive(_, _, Location), 0.20876523036688663) :- fewer_capacity_1_than_todo_at_1, at(Locatable, Location), todo_at(Locatable, _), !.
+delta(31, drive(_, _, _), -0.004106714762410026) :- fewer_capacity_1_than_todo_at_1, !.
+delta(31, drive(Vehicle, _, Location), 0.012856364356926813) :- at(Vehicle, Location2), toward_could_pick_up_needed_capacity_to_drop(Vehicle, Location2, Location), !.
+delta(31, drive(_, _, _), -0.08117810585384244) :- !.
+delta(31, pick_up(_, _, Package, _, _), 0.0) :- todo_at(Package, Location), at(_, Location), fewer_at_2_than_todo_at_1_at_1, !.
+delta(31, pick_up(_, _, Package, _, _), 0.10759653680452712) :- todo_at(Package, Location), at(_, Location), !.
+delta(31, pick_up(_, Location, _, Size, _), -0.025972218219247285) :- capacity(Vehicle, Size), could_pick_up(Vehicle, Location), fewer_capacity_2_than_todo_at_1, !.
+delta(31, pick_up(_, Location, _, Size, _), 0.0019447435860528012) :- capacity(Vehicle, Size), could_pick_up(Vehicle, Location), !.
+delta(31, pick_up(_, _, Package, _, _), 0.022523398047012432) :- todo_at(Package, _), !.
+delta(31, pick_up(_, _, _, _, _), -0.005539701456289127) :- !.
+delta(31, drop(_, Location, Package, _, _), 0.04691412692844221) :- fewer_capacity_2_than_at_2, todo_at(Package, Location), !.
+delta(31, drop(_, _, _, _, _), -0.00785527289976388) :- fewer_capacity_2_than_at_2, !.
+delta(31, drop(_, Location, _, _, _), -0.014141078949618564) :- at(Locatable, Location), todo_at(Locatable, _), !.
+delta(31, drop(_, Location, Package, _, _), 0.004741760766504793) :- todo_at(Package, Location), !.
+delta(31, drop(_, _, _, _, _), -0.0023140144824284146) :- !.
+delta(31, _, 0.0).
 
-% tree 32: step size 1.0, 250 examples, 13 leaves
-delta(32, pick_up(Vehicle, _, Package, Size, _), 0.0) :- todo_at(Package, Location), could_pick_up(Vehicle, Location), capacity(Vehicle2, Size), at(Vehicle2, Location), !.
-delta(32, pick_up(Vehicle, _, Package, _, _), 0.04594686687716025) :- todo_at(Package, Location), could_pick_up(Vehicle, Location), !.
-delta(32, pick_up(_, _, _, _, Size), -0.2569117549416325) :- capacity_predecessor(Size, Size2), capacity(_, Size2), fewer_capacity_1_than_at_2, !.
-delta(32, pick_up(_, _, _, _, Size), 0.0009267884206578828) :- capacity_predecessor(Size, Size2), capacity(_, Size2), !.
-delta(32, pick_up(_, _, Package, _, _), 0.035562244956923776) :- todo_at(Package, _), !.
-delta(32, pick_up(_, _, _, _, _), -0.026352800465094094) :- !.
-delta(32, _, -0.012782519625639416) :- fewer_capacity_1_than_todo_at_1, fewer_at_2_than_todo_at_1_at_1, !.
-delta(32, _, -0.009792454678839187) :- fewer_capacity_1_than_todo_at_1, fewer_capacity_1_than_todo_at_2, !.
-delta(32, _, 0.18839062025113093) :- fewer_capacity_1_than_todo_at_1, !.
-delta(32, drive(Vehicle, Location, Location2), -0.16793802964035706) :- road(Location3, Location), toward_could_pick_up(Vehicle, Location2, Location3), !.
-delta(32, drive(_, _, _), 0.11001890352691805) :- !.
-delta(32, _, 0.046942481500862256) :- fewer_in_2_than_todo_at_1, !.
-delta(32, _, -0.016367370412256384).
+% tree 32: step size 1.0, 220 examples, 19 leaves
+delta(32, drive(Vehicle, Location, Location2), 0.003678601491239388) :- in(Package, Vehicle), todo_at(Package, Location2), at(Locatable, Location), package(Locatable), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(32, drive(Vehicle, Location, Location2), -0.14208244408762044) :- in(Package, Vehicle), todo_at(Package, Location2), at(Locatable, Location), package(Locatable), !.
+delta(32, drive(Vehicle, Location, Location2), 0.02557064697345525) :- in(Package, Vehicle), todo_at(Package, Location2), todo_at(Package, Location3), toward_could_drop_todo_at(Vehicle, Location, Location3), !.
+delta(32, drive(Vehicle, _, Location), -0.00043860358627767536) :- in(Package, Vehicle), todo_at(Package, Location), !.
+delta(32, drive(_, _, _), -0.007273428693575574) :- fewer_capacity_2_than_todo_at_2, fewer_at_2_than_todo_at_2, !.
+delta(32, drive(_, _, _), 0.3107746829044732) :- fewer_capacity_2_than_todo_at_2, !.
+delta(32, drive(_, Location, _), 0.014327618907322879) :- todo_at(Locatable, Location), at(Locatable, _), !.
+delta(32, drive(_, _, _), -0.07845202988547963) :- !.
+delta(32, pick_up(_, _, _, _, _), 0.0026497129005195845) :- fewer_capacity_2_than_todo_at_2, fewer_in_2_than_in_1, !.
+delta(32, pick_up(Vehicle, _, _, _, _), 0.00161965363156668) :- fewer_capacity_2_than_todo_at_2, at(Vehicle, Location), could_pick_up_needed_capacity_to_drop(Vehicle, Location), !.
+delta(32, pick_up(_, _, _, _, _), -0.2458692717891089) :- fewer_capacity_2_than_todo_at_2, !.
+delta(32, pick_up(_, _, Package, _, _), 0.03244238153048474) :- todo_at(Package, _), !.
+delta(32, pick_up(_, _, _, _, _), -0.004402324654824774) :- !.
+delta(32, drop(_, Location, _, _, _), -0.03901846095774793) :- at(Locatable, Location), todo_at(Locatable, _), fewer_capacity_2_than_in_1, !.
+delta(32, drop(_, Location, Package, _, _), 0.0016200912965077482) :- at(Locatable, Location), todo_at(Locatable, _), todo_at(Package, Location), !.
+delta(32, drop(_, Location, _, _, _), -6.32569483386982e-5) :- at(Locatable, Location), todo_at(Locatable, _), !.
+delta(32, drop(_, Location, Package, _, _), 0.0763040961364474) :- todo_at(Package, Location), !.
+delta(32, drop(_, _, _, _, _), -0.009829072442196383) :- !.
+delta(32, _, 0.0).
 
-% tree 33: step size 1.0, 216 examples, 11 leaves
-delta(33, drive(Vehicle, Location, _), 0.012889268631072917) :- road(Location2, Location), could_pick_up_for_todo_at_any_location(Vehicle, Location2), road(Location3, Location), toward_could_drop_todo_at(Vehicle, Location2, Location3), !.
-delta(33, drive(Vehicle, Location, _), -0.2528592471959147) :- road(Location2, Location), could_pick_up_for_todo_at_any_location(Vehicle, Location2), fewer_capacity_2_than_at_2, !.
-delta(33, drive(Vehicle, Location, _), 0.00798449428348032) :- road(Location2, Location), could_pick_up_for_todo_at_any_location(Vehicle, Location2), !.
-delta(33, drive(Vehicle, _, Location), -0.0246222499296305) :- road(Location2, Location), could_pick_up(Vehicle, Location2), at(_, Location), !.
-delta(33, drive(Vehicle, _, Location), 0.2525516864693453) :- road(Location2, Location), could_pick_up(Vehicle, Location2), !.
-delta(33, drive(_, Location, _), 0.04031890696530725) :- goal_at(Locatable, Location), at(Locatable, _), !.
-delta(33, drive(_, _, _), -0.10328079170296597) :- !.
-delta(33, _, -0.11584073135765643) :- fewer_at_2_than_todo_at_1_at_1, !.
-delta(33, _, 0.19394511867539) :- fewer_capacity_2_than_at_2, !.
-delta(33, _, -0.040739545995605406) :- fewer_in_2_than_todo_at_1, !.
-delta(33, _, 0.014528914740428443).
+% tree 33: step size 1.0, 232 examples, 19 leaves
+delta(33, drive(Vehicle, _, Location), 0.0009586621390672714) :- in(Package, Vehicle), todo_at(Package, Location), fewer_at_2_than_at_1, fewer_at_2_than_todo_at_2, !.
+delta(33, drive(Vehicle, _, Location), -0.12442671573544657) :- in(Package, Vehicle), todo_at(Package, Location), fewer_at_2_than_at_1, !.
+delta(33, drive(Vehicle, _, Location), 0.006772296454850397) :- in(Package, Vehicle), todo_at(Package, Location), !.
+delta(33, drive(Vehicle, _, _), -0.07643368311744246) :- at(Vehicle, Location), could_pick_up(Vehicle, Location), fewer_in_2_than_todo_at_1, !.
+delta(33, drive(Vehicle, _, _), 0.016700226687865086) :- at(Vehicle, Location), could_pick_up(Vehicle, Location), !.
+delta(33, drive(Vehicle, _, Location), -0.026655437779646112) :- at(Vehicle, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(33, drive(_, _, _), 0.15305069751507666) :- !.
+delta(33, pick_up(_, _, Package, _, _), 0.1111448763374643) :- todo_at(Package, Location), at(_, Location), !.
+delta(33, pick_up(_, _, _, _, _), -0.10873982322548117) :- fewer_capacity_1_than_at_2, !.
+delta(33, pick_up(_, Location, Package, _, _), 0.021963792142019274) :- todo_at(Package, Location2), road(Location, Location2), !.
+delta(33, pick_up(_, _, _, _, _), -0.00574666000246349) :- !.
+delta(33, drop(_, Location, Package, _, _), 0.002624643143392041) :- fewer_capacity_2_than_todo_at_1, fewer_capacity_2_than_in_1, todo_at(Package, Location), !.
+delta(33, drop(_, _, _, _, _), -0.0016523295903857077) :- fewer_capacity_2_than_todo_at_1, fewer_capacity_2_than_in_1, !.
+delta(33, drop(_, Location, _, _, Size), 0.00018748875061879662) :- fewer_capacity_2_than_todo_at_1, capacity(Vehicle, Size), could_drop_for_todo_at_any_location(Vehicle, Location), !.
+delta(33, drop(_, _, _, _, _), -0.025637957281774655) :- fewer_capacity_2_than_todo_at_1, !.
+delta(33, drop(_, Location, Package, _, _), -0.00028670747023144995) :- todo_at(Package, Location2), at(_, Location2), road(Location, Location2), !.
+delta(33, drop(_, _, Package, _, _), 0.0384449418977673) :- todo_at(Package, Location), at(_, Location), !.
+delta(33, drop(_, _, _, _, _), -0.0017068035071893604) :- !.
+delta(33, _, 0.0).
+
+% tree 34: step size 1.0, 216 examples, 17 leaves
+delta(34, drive(Vehicle, Location, Location2), -0.015027254512692448) :- at(Locatable, Location2), todo_at(Locatable, Location3), road(Location, Location3), toward_could_drop_todo_at(Vehicle, Location3, Location), !.
+delta(34, drive(_, Location, Location2), 0.07205345849593901) :- at(Locatable, Location2), todo_at(Locatable, Location3), road(Location, Location3), !.
+delta(34, drive(Vehicle, _, Location), 0.003675880735257598) :- at(Locatable, Location), todo_at(Locatable, Location2), could_pick_up_needed_in_to_drop(Vehicle, Location2), !.
+delta(34, drive(_, _, Location), -0.20787449038289507) :- at(_, Location), !.
+delta(34, drive(_, _, _), -0.047664863515297036) :- fewer_capacity_1_than_todo_at_2, !.
+delta(34, drive(Vehicle, _, Location), -0.012921941729646502) :- at(Vehicle, Location2), toward_could_pick_up_needed_capacity_to_drop(Vehicle, Location, Location2), !.
+delta(34, drive(_, _, _), 0.16004455039795348) :- !.
+delta(34, pick_up(_, _, Package, _, _), 0.13192729020726263) :- todo_at(Package, Location), at(_, Location), !.
+delta(34, pick_up(_, Location, Package, Size, _), 0.01987727630922465) :- capacity(Vehicle, Size), could_drop_for_todo_at_any_location(Vehicle, Location), todo_at(Package, _), !.
+delta(34, pick_up(_, Location, _, Size, _), -3.023100820358956e-5) :- capacity(Vehicle, Size), could_drop_for_todo_at_any_location(Vehicle, Location), !.
+delta(34, pick_up(_, _, _, _, _), 0.001463383138145614) :- fewer_at_2_than_todo_at_2, !.
+delta(34, pick_up(_, _, _, _, _), -0.11259135846970951) :- !.
+delta(34, drop(_, Location, Package, _, Size), 0.0005421712094573167) :- capacity(Vehicle, Size), at(Vehicle, Location), todo_at(Package, Location2), could_pick_up(Vehicle, Location2), !.
+delta(34, drop(_, Location, _, _, Size), -0.031392527579457645) :- capacity(Vehicle, Size), at(Vehicle, Location), !.
+delta(34, drop(_, Location, Package, _, _), 0.041380631654966554) :- todo_at(Package, Location), !.
+delta(34, drop(_, _, _, _, _), -0.004601878408113019) :- !.
+delta(34, _, 0.0).
+
+% tree 35: step size 1.0, 233 examples, 20 leaves
+delta(35, drive(_, Location, Location2), 0.017745886172515588) :- at(Locatable, Location2), goal_at(_, Location), todo_at(Locatable, Location), !.
+delta(35, drive(_, Location, Location2), -0.239000565353453) :- at(_, Location2), goal_at(_, Location), !.
+delta(35, drive(Vehicle, _, Location), -0.04544037879814251) :- at(_, Location), at(Vehicle, Location2), could_pick_up_needed_capacity_to_drop(Vehicle, Location2), !.
+delta(35, drive(_, _, Location), 0.07114378944152047) :- at(_, Location), !.
+delta(35, drive(Vehicle, _, Location), -0.016008066920194818) :- fewer_capacity_2_than_todo_at_2, could_drop_for_todo_at_any_location(Vehicle, Location), !.
+delta(35, drive(_, _, _), 0.12427339152334009) :- fewer_capacity_2_than_todo_at_2, !.
+delta(35, drive(Vehicle, _, Location), 0.01053376936187494) :- at(Vehicle, Location2), toward_could_pick_up(Vehicle, Location2, Location), !.
+delta(35, drive(_, _, _), -0.039095253370063726) :- !.
+delta(35, pick_up(_, Location, Package, _, _), -0.00564225347866734) :- goal_at(Locatable, Location), at(Locatable, _), goal_at(Package, Location), !.
+delta(35, pick_up(_, Location, _, _, _), 0.19270216459891504) :- goal_at(Locatable, Location), at(Locatable, _), !.
+delta(35, pick_up(Vehicle, _, _, _, _), -0.09030938264277615) :- fewer_capacity_1_than_todo_at_1, capacity(Vehicle, Size), beyond_capacity_predecessor(Size, _), !.
+delta(35, pick_up(_, _, _, _, _), 0.0062141077473586845) :- fewer_capacity_1_than_todo_at_1, !.
+delta(35, pick_up(_, _, _, _, _), 0.022969867481740344) :- !.
+delta(35, drop(_, Location, Package, _, _), 0.020722145670930076) :- goal_at(Locatable, Location), at(Locatable, _), todo_at(Package, Location), !.
+delta(35, drop(_, Location, _, _, _), -0.0020232252482198943) :- goal_at(Locatable, Location), at(Locatable, _), !.
+delta(35, drop(_, _, _, _, _), 0.002710399349245841) :- fewer_capacity_2_than_todo_at_1, fewer_in_2_than_in_1, !.
+delta(35, drop(_, _, _, _, _), -0.03514691481788659) :- fewer_capacity_2_than_todo_at_1, !.
+delta(35, drop(_, Location, Package, _, _), 0.007015450234799406) :- todo_at(Package, Location), !.
+delta(35, drop(_, _, _, _, _), -0.0013014932477189948) :- !.
+delta(35, _, 0.0).
+
+% tree 36: step size 1.0, 201 examples, 22 leaves
+delta(36, drive(Vehicle, Location, Location2), 0.011554783538602242) :- at(Locatable, Location2), vehicle(Locatable), at(Vehicle, Location3), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location3), could_pick_up(Vehicle, Location), !.
+delta(36, drive(Vehicle, _, Location), -0.0006719210581135043) :- at(Locatable, Location), vehicle(Locatable), at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location, Location2), !.
+delta(36, drive(Vehicle, _, Location), 0.0025641420620353657) :- at(Locatable, Location), vehicle(Locatable), at(Vehicle, Location2), could_drop_for_todo_at_any_location(Vehicle, Location2), !.
+delta(36, drive(_, _, Location), -0.10653103488517329) :- at(Locatable, Location), vehicle(Locatable), !.
+delta(36, drive(_, Location, Location2), 0.054226084961794645) :- goal_at(Locatable, Location), at(Locatable, Location3), nearer_at(Location, Location2, Location3), !.
+delta(36, drive(_, Location, _), -0.09991292501999585) :- goal_at(_, Location), !.
+delta(36, drive(Vehicle, _, Location), -0.006875604081829862) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
+delta(36, drive(_, _, _), 0.14962165888768045) :- !.
+delta(36, pick_up(Vehicle, _, Package, _, _), 0.000741549689916254) :- fewer_capacity_1_than_todo_at_2_at_2, todo_at(Package, Location), could_pick_up_needed_capacity_to_drop(Vehicle, Location), !.
+delta(36, pick_up(_, _, _, _, _), -0.07011679547838276) :- fewer_capacity_1_than_todo_at_2_at_2, !.
+delta(36, pick_up(Vehicle, Location, Package, _, _), 0.006798178878826671) :- at(Vehicle, Location2), could_pick_up_needed_capacity_to_drop(Vehicle, Location2), todo_at(Package, Location3), toward_could_pick_up_needed_in_to_drop(Vehicle, Location3, Location), !.
+delta(36, pick_up(Vehicle, _, _, _, _), -0.03391144413932868) :- at(Vehicle, Location), could_pick_up_needed_capacity_to_drop(Vehicle, Location), !.
+delta(36, pick_up(Vehicle, _, Package, _, _), -0.009575670837303565) :- goal_at(Package, Location), could_drop(Vehicle, Location), !.
+delta(36, pick_up(_, _, _, _, _), 0.11673820756474439) :- !.
+delta(36, drop(Vehicle, _, _, _, _), -0.032921739104941485) :- fewer_in_2_than_todo_at_2_at_2, capacity(Vehicle, Size), beyond_capacity_predecessor(_, Size), !.
+delta(36, drop(_, Location, Package, _, _), 0.006057823581819355) :- fewer_in_2_than_todo_at_2_at_2, todo_at(Package, Location), !.
+delta(36, drop(_, _, _, _, _), -0.0031251257015398773) :- fewer_in_2_than_todo_at_2_at_2, !.
+delta(36, drop(_, _, Package, _, _), 0.0010400727595164516) :- todo_at(Package, Location), done_at(_, Location), fewer_in_2_than_at_2, !.
+delta(36, drop(_, _, Package, _, _), -0.007890484642761741) :- todo_at(Package, Location), done_at(_, Location), !.
+delta(36, drop(_, Location, Package, _, _), 0.014527211925481204) :- todo_at(Package, Location), !.
+delta(36, drop(_, _, _, _, _), -0.002285106065676214) :- !.
+delta(36, _, 0.0).
+
+% tree 37: step size 1.0, 237 examples, 19 leaves
+delta(37, drive(Vehicle, Location, Location2), 0.006694083439355661) :- capacity(Vehicle, Size), beyond_capacity_predecessor(Size, _), toward_could_pick_up(Vehicle, Location, Location2), toward_could_drop_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(37, drive(Vehicle, Location, Location2), -0.1322223376941136) :- capacity(Vehicle, Size), beyond_capacity_predecessor(Size, _), toward_could_pick_up(Vehicle, Location, Location2), !.
+delta(37, drive(Vehicle, Location, Location2), -0.0187218506303061) :- capacity(Vehicle, Size), beyond_capacity_predecessor(Size, _), toward_could_pick_up(Vehicle, Location2, Location), !.
+delta(37, drive(Vehicle, _, _), 0.06428655707172949) :- capacity(Vehicle, Size), beyond_capacity_predecessor(Size, _), !.
+delta(37, drive(Vehicle, Location, Location2), 0.0007246422131166398) :- goal_at(Locatable, Location2), goal_at(Locatable, Location3), toward_could_pick_up(Vehicle, Location, Location3), !.
+delta(37, drive(_, _, Location), -0.02595149106605774) :- goal_at(_, Location), !.
+delta(37, drive(_, _, _), 0.15921802000672644) :- fewer_capacity_1_than_at_2, !.
+delta(37, drive(_, _, _), -0.006887865042435377) :- !.
+delta(37, pick_up(_, _, _, _, Size), 0.0025453398869794406) :- fewer_capacity_1_than_todo_at_1, capacity(Vehicle, Size), in(_, Vehicle), !.
+delta(37, pick_up(_, _, _, _, _), -0.0758313527771484) :- fewer_capacity_1_than_todo_at_1, fewer_capacity_2_than_todo_at_2_at_2, !.
+delta(37, pick_up(_, _, _, _, _), 0.0003109285989090242) :- fewer_capacity_1_than_todo_at_1, !.
+delta(37, pick_up(_, _, Package, _, _), 0.015521703530802863) :- todo_at(Package, _), !.
+delta(37, pick_up(_, _, _, _, _), -0.002464953576871817) :- !.
+delta(37, drop(Vehicle, _, _, _, _), -0.014930367620341955) :- fewer_capacity_1_than_at_2, capacity(Vehicle, Size), beyond_capacity_predecessor(_, Size), !.
+delta(37, drop(_, _, _, _, _), -9.069810939642472e-5) :- fewer_capacity_1_than_at_2, fewer_capacity_1_than_todo_at_2, !.
+delta(37, drop(_, _, _, _, _), 0.0013468238748901484) :- fewer_capacity_1_than_at_2, !.
+delta(37, drop(Vehicle, _, _, _, _), 0.011909654830146539) :- at(Vehicle, Location), could_drop_todo_at(Vehicle, Location), !.
+delta(37, drop(_, _, _, _, _), -0.0010973017230771235) :- !.
+delta(37, _, 0.0).
+
+% tree 38: step size 1.0, 236 examples, 21 leaves
+delta(38, drive(Vehicle, _, Location), 0.00015228565524245675) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), at(Vehicle, Location3), toward_could_drop_for_todo_at_any_location(Vehicle, Location3, Location), fewer_in_2_than_in_1, !.
+delta(38, drive(Vehicle, _, Location), -0.0334879239927621) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), at(Vehicle, Location3), toward_could_drop_for_todo_at_any_location(Vehicle, Location3, Location), !.
+delta(38, drive(Vehicle, _, Location), -0.014000569340222493) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), could_pick_up_for_todo_at_any_location(Vehicle, Location), !.
+delta(38, drive(Vehicle, _, Location), 0.14665194833349188) :- at(Vehicle, Location2), toward_could_pick_up_needed_in_to_drop(Vehicle, Location2, Location), !.
+delta(38, drive(Vehicle, _, Location), 0.08359630435410922) :- at(Vehicle, Location2), toward_could_pick_up(Vehicle, Location, Location2), fewer_capacity_1_than_todo_at_2, !.
+delta(38, drive(Vehicle, _, Location), -0.01882777815730401) :- at(Vehicle, Location2), toward_could_pick_up(Vehicle, Location, Location2), !.
+delta(38, drive(_, _, _), -0.17632987484146068) :- fewer_in_2_than_todo_at_1, !.
+delta(38, drive(_, _, _), 0.013728296766696131) :- !.
+delta(38, pick_up(Vehicle, Location, Package, _, _), 0.0033666036371153988) :- todo_at(Package, Location2), road(Location, Location2), fewer_capacity_1_than_at_2, todo_at(Package, Location3), could_drop(Vehicle, Location3), !.
+delta(38, pick_up(_, Location, Package, _, _), -0.1643494540233348) :- todo_at(Package, Location2), road(Location, Location2), fewer_capacity_1_than_at_2, !.
+delta(38, pick_up(_, Location, Package, _, _), 0.008243736071435056) :- todo_at(Package, Location2), road(Location, Location2), !.
+delta(38, pick_up(Vehicle, Location, _, _, _), 0.006172619897786077) :- goal_at(Locatable, Location), at(Locatable, Location2), could_pick_up_for_todo_at_any_location(Vehicle, Location2), !.
+delta(38, pick_up(_, Location, _, _, _), -0.013127465702772071) :- goal_at(Locatable, Location), at(Locatable, _), !.
+delta(38, pick_up(_, _, _, _, _), 0.14750895641375558) :- !.
+delta(38, drop(_, Location, Package, _, _), 0.011795665877287352) :- fewer_in_2_than_todo_at_1, todo_at(Package, Location), !.
+delta(38, drop(_, _, _, _, _), -0.004740222417745229) :- fewer_in_2_than_todo_at_1, !.
+delta(38, drop(Vehicle, _, _, _, _), -0.01248632994613208) :- fewer_capacity_2_than_at_2, capacity(Vehicle, Size), beyond_capacity_predecessor(_, Size), !.
+delta(38, drop(_, _, _, _, _), 0.0011695370632490792) :- fewer_capacity_2_than_at_2, !.
+delta(38, drop(_, Location, Package, _, _), 0.002307216006943682) :- todo_at(Package, Location), !.
+delta(38, drop(_, _, _, _, _), -0.00039974424761913993) :- !.
+delta(38, _, 0.0).
+
+% tree 39: step size 1.0, 249 examples, 15 leaves
+delta(39, drive(Vehicle, Location, Location2), -0.008084139298299323) :- at(Vehicle, Location3), could_pick_up(Vehicle, Location3), goal_at(_, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location2, Location), !.
+delta(39, drive(Vehicle, _, Location), 0.06974255609862881) :- at(Vehicle, Location2), could_pick_up(Vehicle, Location2), goal_at(_, Location), !.
+delta(39, drive(Vehicle, _, _), 0.0017040832653205202) :- at(Vehicle, Location), could_pick_up(Vehicle, Location), fewer_in_2_than_todo_at_2_at_2, !.
+delta(39, drive(Vehicle, _, _), -0.014820263319808466) :- at(Vehicle, Location), could_pick_up(Vehicle, Location), !.
+delta(39, drive(_, Location, Location2), -0.0005237500507849892) :- todo_at(Locatable, Location), at(Locatable, Location2), fewer_at_2_than_at_1, !.
+delta(39, drive(_, Location, Location2), 0.0019986159301326237) :- todo_at(Locatable, Location), at(Locatable, Location2), !.
+delta(39, drive(_, _, _), -0.10739237884617764) :- fewer_in_2_than_todo_at_1, !.
+delta(39, drive(_, _, _), -0.0004251055532175097) :- !.
+delta(39, pick_up(_, Location, _, _, Size), -0.007291674669469648) :- capacity(Vehicle, Size), could_drop_todo_at(Vehicle, Location), !.
+delta(39, pick_up(_, _, Package, _, _), 0.04089071621510456) :- todo_at(Package, _), !.
+delta(39, pick_up(_, _, _, _, _), -0.0033716082650487415) :- !.
+delta(39, drop(_, Location, _, _, Size), -0.010025861330569177) :- capacity(Vehicle, Size), could_drop_todo_at(Vehicle, Location), !.
+delta(39, drop(_, Location, Package, _, _), 0.05511640067426726) :- todo_at(Package, Location), !.
+delta(39, drop(_, _, _, _, _), -0.006120926962675557) :- !.
+delta(39, _, 0.0).
+
+% tree 40: step size 1.0, 261 examples, 17 leaves
+delta(40, drive(Vehicle, Location, Location2), -0.07066896585210791) :- goal_at(Locatable, Location2), at(Locatable, _), toward_could_pick_up_needed_in_to_drop(Vehicle, Location, Location2), could_pick_up_needed_in_to_drop(Vehicle, Location2), !.
+delta(40, drive(Vehicle, Location, Location2), 0.004698678218787737) :- goal_at(Locatable, Location2), at(Locatable, _), toward_could_pick_up_needed_in_to_drop(Vehicle, Location, Location2), !.
+delta(40, drive(Vehicle, Location, Location2), -0.002234358798695092) :- goal_at(Locatable, Location2), at(Locatable, Location3), toward_could_pick_up(Vehicle, Location, Location3), !.
+delta(40, drive(_, _, Location), 0.21775561739433183) :- goal_at(Locatable, Location), at(Locatable, _), !.
+delta(40, drive(Vehicle, Location, Location2), -0.015205312415693964) :- at(Vehicle, Location3), toward_could_drop_for_todo_at_any_location(Vehicle, Location2, Location3), todo_at(_, Location), !.
+delta(40, drive(Vehicle, _, Location), 0.0610330883075446) :- at(Vehicle, Location2), toward_could_drop_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(40, drive(_, Location, Location2), 0.014377359711196315) :- todo_at(Locatable, Location), at(Locatable, Location2), !.
+delta(40, drive(_, _, _), -0.24759044353794898) :- !.
+delta(40, pick_up(_, Location, _, Size, _), -0.06143783260724279) :- capacity(Vehicle, Size), at(Vehicle, Location), !.
+delta(40, pick_up(_, _, Package, _, _), 0.00010606083512910768) :- todo_at(Package, Location), at(Locatable, Location), goal_at(Locatable, Location), !.
+delta(40, pick_up(_, _, Package, _, _), 0.10447361366243843) :- todo_at(Package, Location), at(_, Location), !.
+delta(40, pick_up(_, _, _, _, _), -0.023466341005745347) :- fewer_in_2_than_todo_at_2_at_2, !.
+delta(40, pick_up(_, _, _, _, _), 0.004575625770551449) :- !.
+delta(40, drop(Vehicle, _, Package, _, _), -0.009349191170107712) :- todo_at(Package, Location), could_pick_up_needed_in_to_drop(Vehicle, Location), !.
+delta(40, drop(_, Location, Package, _, _), 0.06140893028999747) :- todo_at(Package, Location), !.
+delta(40, drop(_, _, _, _, _), -0.005498160578849297) :- !.
+delta(40, _, 0.0).
+
+% tree 41: step size 1.0, 215 examples, 20 leaves
+delta(41, drive(Vehicle, _, Location), -0.009502767667762407) :- fewer_capacity_2_than_in_1, at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location, Location2), !.
+delta(41, drive(_, _, Location), 0.07252380657090735) :- fewer_capacity_2_than_in_1, goal_at(_, Location), !.
+delta(41, drive(_, _, _), -3.7850524011539855e-6) :- fewer_capacity_2_than_in_1, !.
+delta(41, drive(Vehicle, Location, Location2), 0.03933374087565655) :- todo_at(Locatable, Location2), at(Locatable, Location), todo_at(Locatable, Location3), toward_could_pick_up_needed_capacity_to_drop(Vehicle, Location3, Location), !.
+delta(41, drive(_, Location, Location2), -0.0025782992766979324) :- todo_at(Locatable, Location2), at(Locatable, Location), !.
+delta(41, drive(_, _, Location), 0.025374104142308205) :- goal_at(Locatable, Location), done_at(Locatable, Location), !.
+delta(41, drive(_, _, _), -0.09992930302229029) :- !.
+delta(41, pick_up(Vehicle, Location, Package, _, _), 0.000488410036446313) :- todo_at(Package, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), todo_at(Package, Location3), could_pick_up_needed_in_to_drop(Vehicle, Location3), !.
+delta(41, pick_up(Vehicle, Location, Package, _, _), -0.038766947869829815) :- todo_at(Package, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(41, pick_up(_, Location, _, Size, _), 0.0006344016947477082) :- capacity(Vehicle, Size), in(_, Vehicle), could_pick_up_needed_in_to_drop(Vehicle, Location), !.
+delta(41, pick_up(_, _, _, Size, _), -0.02161794292367832) :- capacity(Vehicle, Size), in(_, Vehicle), !.
+delta(41, pick_up(_, _, Package, _, _), 0.09141569078619545) :- todo_at(Package, _), !.
+delta(41, pick_up(_, _, _, _, _), -0.002191796528982928) :- !.
+delta(41, drop(Vehicle, _, Package, _, _), -0.0006638472124527813) :- fewer_in_2_than_todo_at_2_at_2, todo_at(Package, Location), could_pick_up(Vehicle, Location), !.
+delta(41, drop(_, _, _, _, _), 0.016566730727615574) :- fewer_in_2_than_todo_at_2_at_2, !.
+delta(41, drop(_, Location, _, _, Size), 0.000459275737400436) :- fewer_in_2_than_todo_at_1, capacity(Vehicle, Size), at(Vehicle, Location), !.
+delta(41, drop(_, _, _, _, _), -0.06991750183786115) :- fewer_in_2_than_todo_at_1, !.
+delta(41, drop(_, Location, Package, _, _), 0.006455078943084783) :- todo_at(Package, Location), !.
+delta(41, drop(_, _, _, _, _), -0.001221288733290193) :- !.
+delta(41, _, 0.0).
+
+% tree 42: step size 1.0, 240 examples, 21 leaves
+delta(42, drive(Vehicle, _, Location), -0.031518096581502425) :- todo_at(Locatable, Location), at(Locatable, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
+delta(42, drive(_, Location, Location2), -0.004594373729867196) :- todo_at(_, Location2), todo_at(_, Location), !.
+delta(42, drive(_, _, Location), 0.1717368733397523) :- todo_at(_, Location), !.
+delta(42, drive(Vehicle, _, Location), 0.011354193058255137) :- at(Vehicle, Location2), toward_could_pick_up(Vehicle, Location, Location2), at(Vehicle, Location3), toward_could_pick_up_needed_in_to_drop(Vehicle, Location3, Location), !.
+delta(42, drive(Vehicle, _, Location), -0.004711066372176158) :- at(Vehicle, Location2), toward_could_pick_up(Vehicle, Location, Location2), !.
+delta(42, drive(Vehicle, _, Location), 0.0033622394398379433) :- at(Vehicle, Location2), toward_could_drop_todo_at(Vehicle, Location2, Location), !.
+delta(42, drive(_, _, _), -0.11151347624133481) :- !.
+delta(42, pick_up(_, Location, _, Size, _), -0.06534995328069587) :- capacity(Vehicle, Size), at(Vehicle, Location), !.
+delta(42, pick_up(_, Location, _, _, _), -0.021660817786963434) :- fewer_capacity_1_than_at_2, todo_at(Locatable, Location), at(Locatable, _), !.
+delta(42, pick_up(_, _, _, _, _), 0.08499635822323065) :- fewer_capacity_1_than_at_2, !.
+delta(42, pick_up(Vehicle, Location, Package, _, _), 0.014513817745819673) :- todo_at(Package, Location2), toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(42, pick_up(_, _, _, _, _), -0.03894496338246572) :- !.
+delta(42, drop(Vehicle, Location, _, _, _), -0.0013513388073307985) :- goal_at(Locatable, Location), at(Locatable, Location2), fewer_capacity_2_than_at_2, toward_could_pick_up_for_todo_at_any_location(Vehicle, Location, Location2), !.
+delta(42, drop(_, Location, _, _, _), 0.05231948025945222) :- goal_at(Locatable, Location), at(Locatable, _), fewer_capacity_2_than_at_2, !.
+delta(42, drop(Vehicle, Location, _, _, _), 0.00018830867082823214) :- goal_at(Locatable, Location), at(Locatable, _), could_pick_up_for_todo_at_any_location(Vehicle, Location), !.
+delta(42, drop(_, Location, _, _, _), -0.009093261046775884) :- goal_at(Locatable, Location), at(Locatable, _), !.
+delta(42, drop(_, _, _, _, Size), -0.059424916519833754) :- capacity(_, Size), fewer_in_2_than_todo_at_2, !.
+delta(42, drop(_, _, _, _, Size), 0.005132053847911403) :- capacity(_, Size), !.
+delta(42, drop(_, Location, Package, _, _), 0.011128848787095628) :- todo_at(Package, Location), !.
+delta(42, drop(_, _, _, _, _), -0.0024203081618593635) :- !.
+delta(42, _, 0.0).
+
+% tree 43: step size 1.0, 202 examples, 15 leaves
+delta(43, drive(Vehicle, Location, Location2), 0.0024643941198384143) :- could_pick_up_needed_in_to_drop(Vehicle, Location2), fewer_in_2_than_todo_at_2, goal_at(Locatable, Location), done_at(Locatable, Location), !.
+delta(43, drive(Vehicle, _, Location), -0.1767093541030974) :- could_pick_up_needed_in_to_drop(Vehicle, Location), fewer_in_2_than_todo_at_2, !.
+delta(43, drive(Vehicle, _, Location), 0.021304099782959843) :- could_pick_up_needed_in_to_drop(Vehicle, Location), !.
+delta(43, drive(_, _, Location), -0.07856483415756786) :- goal_at(Locatable, Location), done_at(Locatable, Location), fewer_in_2_than_todo_at_1, !.
+delta(43, drive(_, _, Location), 0.018804583375589334) :- goal_at(Locatable, Location), done_at(Locatable, Location), !.
+delta(43, drive(_, _, Location), 0.2470057817618087) :- todo_at(_, Location), !.
+delta(43, drive(_, _, _), -0.020558816757385804) :- !.
+delta(43, pick_up(Vehicle, Location, Package, _, _), 0.00048474536822845486) :- todo_at(Package, Location2), at(_, Location2), could_pick_up_needed_capacity_to_drop(Vehicle, Location2), road(Location, Location2), !.
+delta(43, pick_up(Vehicle, _, Package, _, _), 0.0) :- todo_at(Package, Location), at(_, Location), could_pick_up_needed_capacity_to_drop(Vehicle, Location), !.
+delta(43, pick_up(_, _, Package, _, _), 0.07495937283419869) :- todo_at(Package, Location), at(_, Location), !.
+delta(43, pick_up(_, Location, _, _, _), -0.09503496083675417) :- goal_at(Locatable, Location), at(Locatable, _), !.
+delta(43, pick_up(_, _, _, _, _), 0.004889444338530336) :- !.
+delta(43, drop(_, Location, Package, _, _), 0.011651985300695056) :- todo_at(Package, Location), !.
+delta(43, drop(_, _, _, _, _), -0.005551222172170971) :- !.
+delta(43, _, 0.0).

@@ -37,6 +37,11 @@ beyond_road(X, Y) :- beyond_road(X, Z), road(Z, Y).
 :- table beyond_capacity_predecessor/2.
 beyond_capacity_predecessor(X, Y) :- capacity_predecessor(X, Y).
 beyond_capacity_predecessor(X, Y) :- beyond_capacity_predecessor(X, Z), capacity_predecessor(Z, Y).
+needed_in_to_drop(Package) :- todo_at(Package, _Location), \+ in(Package, _Vehicle).
+needed_capacity_to_drop(Size) :-
+    once(todo_at(_Package, _Location)),
+    \+ ( capacity(_Vehicle, Size2), capacity_predecessor(Size2, _Size3) ),
+    capacity_predecessor(Size, _Size4).
 step_at(Location, Location2) :- road(Location, Location2).
 :- table far_at(_, _, min).
 far_at(Z, Z, 0).
@@ -56,11 +61,11 @@ toward_wanted_at(Vehicle, X, Y) :-
     nearest_wanted_at(Vehicle, Y, D0),
     D0 < D.
 could_pick_up(Vehicle, Location) :-
-    capacity_predecessor(_Size, Size2),
-    capacity(Vehicle, Size2),
-    at(Package, Location),
+    capacity(Vehicle, Size),
+    once(capacity_predecessor(_Size2, Size)),
     package(Package),
-    \+ in(Package, Vehicle).
+    \+ in(Package, Vehicle),
+    at(Package, Location).
 :- table places_could_pick_up/2.
 places_could_pick_up(Vehicle, Places) :- findall(Z, could_pick_up(Vehicle, Z), Found), sort(Found, Places).
 distance_could_pick_up(Vehicle, X, D) :- places_could_pick_up(Vehicle, Places), member(Z, Places), steps_at(X, Z, D).
@@ -71,12 +76,56 @@ toward_could_pick_up(Vehicle, X, Y) :-
     nearest_could_pick_up(Vehicle, X, D),
     nearest_could_pick_up(Vehicle, Y, D0),
     D0 < D.
+could_pick_up_needed_in_to_drop(Vehicle, Location) :-
+    capacity(Vehicle, Size),
+    once(capacity_predecessor(_Size2, Size)),
+    needed_in_to_drop(Package),
+    package(Package),
+    at(Package, Location).
+:- table places_could_pick_up_needed_in_to_drop/2.
+places_could_pick_up_needed_in_to_drop(Vehicle, Places) :-
+    findall(Z, could_pick_up_needed_in_to_drop(Vehicle, Z), Found),
+    sort(Found, Places).
+distance_could_pick_up_needed_in_to_drop(Vehicle, X, D) :-
+    places_could_pick_up_needed_in_to_drop(Vehicle, Places),
+    member(Z, Places),
+    steps_at(X, Z, D).
+:- table nearest_could_pick_up_needed_in_to_drop/3.
+nearest_could_pick_up_needed_in_to_drop(Vehicle, X, D) :-
+    aggregate_all(min(D0), distance_could_pick_up_needed_in_to_drop(Vehicle, X, D0), D).
+toward_could_pick_up_needed_in_to_drop(Vehicle, X, Y) :-
+    step_at(X, Y),
+    nearest_could_pick_up_needed_in_to_drop(Vehicle, X, D),
+    nearest_could_pick_up_needed_in_to_drop(Vehicle, Y, D0),
+    D0 < D.
+could_pick_up_needed_capacity_to_drop(Vehicle, Location) :-
+    capacity(Vehicle, Size),
+    once(( capacity_predecessor(Size2, Size), needed_capacity_to_drop(Size2) )),
+    package(Package),
+    at(Package, Location).
+:- table places_could_pick_up_needed_capacity_to_drop/2.
+places_could_pick_up_needed_capacity_to_drop(Vehicle, Places) :-
+    findall(Z, could_pick_up_needed_capacity_to_drop(Vehicle, Z), Found),
+    sort(Found, Places).
+distance_could_pick_up_needed_capacity_to_drop(Vehicle, X, D) :-
+    places_could_pick_up_needed_capacity_to_drop(Vehicle, Places),
+    member(Z, Places),
+    steps_at(X, Z, D).
+:- table nearest_could_pick_up_needed_capacity_to_drop/3.
+nearest_could_pick_up_needed_capacity_to_drop(Vehicle, X, D) :-
+    aggregate_all(min(D0), distance_could_pick_up_needed_capacity_to_drop(Vehicle, X, D0), D).
+toward_could_pick_up_needed_capacity_to_drop(Vehicle, X, Y) :-
+    step_at(X, Y),
+    nearest_could_pick_up_needed_capacity_to_drop(Vehicle, X, D),
+    nearest_could_pick_up_needed_capacity_to_drop(Vehicle, Y, D0),
+    D0 < D.
 could_pick_up_for_todo_at_any_location(Vehicle, Location) :-
-    todo_at(_Locatable, Location),
-    capacity_predecessor(_Size, Size2),
-    capacity(Vehicle, Size2),
+    capacity(Vehicle, Size),
+    once(capacity_predecessor(_Size2, Size)),
+    package(Package),
+    \+ in(Package, Vehicle),
     at(Package, Location),
-    package(Package).
+    once(todo_at(_Locatable, Location)).
 :- table places_could_pick_up_for_todo_at_any_location/2.
 places_could_pick_up_for_todo_at_any_location(Vehicle, Places) :-
     findall(Z, could_pick_up_for_todo_at_any_location(Vehicle, Z), Found),
@@ -93,38 +142,14 @@ toward_could_pick_up_for_todo_at_any_location(Vehicle, X, Y) :-
     nearest_could_pick_up_for_todo_at_any_location(Vehicle, X, D),
     nearest_could_pick_up_for_todo_at_any_location(Vehicle, Y, D0),
     D0 < D.
-could_pick_up_for_todo_at_package_any(Vehicle, Location) :-
-    todo_at(Package, _Location2),
-    capacity_predecessor(_Size, Size2),
-    capacity(Vehicle, Size2),
-    at(Package, Location),
-    package(Package).
-:- table places_could_pick_up_for_todo_at_package_any/2.
-places_could_pick_up_for_todo_at_package_any(Vehicle, Places) :-
-    findall(Z, could_pick_up_for_todo_at_package_any(Vehicle, Z), Found),
-    sort(Found, Places).
-distance_could_pick_up_for_todo_at_package_any(Vehicle, X, D) :-
-    places_could_pick_up_for_todo_at_package_any(Vehicle, Places),
-    member(Z, Places),
-    steps_at(X, Z, D).
-:- table nearest_could_pick_up_for_todo_at_package_any/3.
-nearest_could_pick_up_for_todo_at_package_any(Vehicle, X, D) :-
-    aggregate_all(min(D0), distance_could_pick_up_for_todo_at_package_any(Vehicle, X, D0), D).
-toward_could_pick_up_for_todo_at_package_any(Vehicle, X, Y) :-
-    step_at(X, Y),
-    nearest_could_pick_up_for_todo_at_package_any(Vehicle, X, D),
-    nearest_could_pick_up_for_todo_at_package_any(Vehicle, Y, D0),
-    D0 < D.
 could_drop(Vehicle, Location) :-
     in(Package, Vehicle),
-    capacity_predecessor(Size, _Size2),
-    capacity(Vehicle, Size),
+    once(( capacity(Vehicle, Size), once(capacity_predecessor(Size, _Size2)) )),
     \+ at(Package, Location).
 could_drop_todo_at(Vehicle, Location) :-
-    todo_at(Package, Location),
     in(Package, Vehicle),
-    capacity_predecessor(Size, _Size2),
-    capacity(Vehicle, Size).
+    once(( capacity(Vehicle, Size), once(capacity_predecessor(Size, _Size2)) )),
+    todo_at(Package, Location).
 :- table places_could_drop_todo_at/2.
 places_could_drop_todo_at(Vehicle, Places) :- findall(Z, could_drop_todo_at(Vehicle, Z), Found), sort(Found, Places).
 distance_could_drop_todo_at(Vehicle, X, D) :-
@@ -139,10 +164,10 @@ toward_could_drop_todo_at(Vehicle, X, Y) :-
     nearest_could_drop_todo_at(Vehicle, Y, D0),
     D0 < D.
 could_drop_for_todo_at_any_location(Vehicle, Location) :-
+    in(Package, Vehicle),
+    once(( capacity(Vehicle, Size), once(capacity_predecessor(Size, _Size2)) )),
     todo_at(_Locatable, Location),
-    in(_Package, Vehicle),
-    capacity_predecessor(Size, _Size2),
-    capacity(Vehicle, Size).
+    \+ at(Package, Location).
 :- table places_could_drop_for_todo_at_any_location/2.
 places_could_drop_for_todo_at_any_location(Vehicle, Places) :-
     findall(Z, could_drop_for_todo_at_any_location(Vehicle, Z), Found),
@@ -167,27 +192,6 @@ far_capacity(Z, X, D) :- far_capacity(Z, Y, D0), step_capacity(X, Y), D is D0+1.
 :- table steps_capacity/3.
 steps_capacity(X, Z, D) :- far_capacity(Z, Y, D), Y == X.
 nearer_capacity(X, Y, Z) :- step_capacity(X, Y), steps_capacity(Y, Z, D), steps_capacity(X, Z, D0), D < D0.
-could_drop_for_todo_at_package_any(Vehicle, Size) :-
-    todo_at(Package, _Location),
-    in(Package, Vehicle),
-    capacity_predecessor(Size, _Size2),
-    at(Vehicle, _Location2).
-:- table places_could_drop_for_todo_at_package_any/2.
-places_could_drop_for_todo_at_package_any(Vehicle, Places) :-
-    findall(Z, could_drop_for_todo_at_package_any(Vehicle, Z), Found),
-    sort(Found, Places).
-distance_could_drop_for_todo_at_package_any(Vehicle, X, D) :-
-    places_could_drop_for_todo_at_package_any(Vehicle, Places),
-    member(Z, Places),
-    steps_capacity(X, Z, D).
-:- table nearest_could_drop_for_todo_at_package_any/3.
-nearest_could_drop_for_todo_at_package_any(Vehicle, X, D) :-
-    aggregate_all(min(D0), distance_could_drop_for_todo_at_package_any(Vehicle, X, D0), D).
-toward_could_drop_for_todo_at_package_any(Vehicle, X, Y) :-
-    step_capacity(X, Y),
-    nearest_could_drop_for_todo_at_package_any(Vehicle, X, D),
-    nearest_could_drop_for_todo_at_package_any(Vehicle, Y, D0),
-    D0 < D.
 :- table number_at_2/1.
 number_at_2(N) :- findall(X, at(_Locatable, X), Found), sort(Found, Set), length(Set, N).
 :- table number_todo_at_1/1.
