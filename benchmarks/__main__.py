@@ -24,15 +24,14 @@ TABLES = {  # by their markers in the file
     "growth": ("growth",),
     "large": ("large_states",),
 }
+COMMANDS = {"ipc2023": "benchmarks.ipc2023.command", "options": "benchmarks.options"}  # with arguments of their own
 NAMES = [name for names in TABLES.values() for name in names]
 HEAD = "| what | measured | against | target | met |\n|---|---|---|---|---|"
 
 
 def main() -> None:
-    if sys.argv[1:2] == ["options"]:
-        return import_module("benchmarks.options").main(sys.argv[2:])
-    if sys.argv[1:2] == ["ipc2023"]:
-        return import_module("benchmarks.ipc2023.command").main(sys.argv[2:])
+    if command := COMMANDS.get("".join(sys.argv[1:2])):
+        return import_module(command).main(sys.argv[2:])
     parser = argparse.ArgumentParser(
         prog="python -m benchmarks", description="The speed tables of docs/performance.md."
     )

@@ -18,6 +18,7 @@ import yaml
 from nppg import Options, evaluate, language_bias_of, open_domain, train
 from nppg.bias.language_bias import LanguageBias
 from nppg.pddl.bias_text import WAYS
+from nppg.rules.judge import in_domain
 
 WORLDS: dict[str, tuple[dict[str, int], dict[str, int]]] = {  # what is learned on, and what is judged on
     "gripper": ({"balls": 4, "vary": 1}, {"balls": 12}),
@@ -61,9 +62,7 @@ def _judged(worlds: Path, seconds: float, name: str, changed: dict[str, Any], se
     options = Options(**{**yaml.safe_load(WAYS), **changed, "episodes": 10**6, "seed": seed, "guidance": 0.0})
     until = time.process_time() + seconds
     *_, last = train(domain, bias, options, is_over=lambda: time.process_time() > until)
-    last.policy.domain = larger
-    result = evaluate(last.policy, _STARTS, 0, True)
-    assert result.success is not None
+    result = evaluate(in_domain(last.policy, larger), _STARTS, 0, True)
     return result.success, result.mean_steps if result.success == 1 else 0.0
 
 
