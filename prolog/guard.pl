@@ -183,7 +183,7 @@ refuse_halt :-
     (   prolog_frame_attribute(Frame, parent_goal, nppg_guard:guarded(Predicate, _, _))
     ->  stop_for(nppg_fault(Predicate, 'called halt/0'-[])),
         cancel_halt(nppg)
-    ;   prolog_frame_attribute(Frame, parent_goal, nppg_loading:load_domain(File, _, _, _))
+    ;   prolog_frame_attribute(Frame, parent_goal, nppg_loading:load_domain(File, _, _, _, _))
     ->  stop_for(nppg_problems([-(File, 0, 0, 'loading the file called halt/0')])),
         cancel_halt(nppg)
     ;   true

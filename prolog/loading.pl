@@ -1,5 +1,5 @@
 :- module(nppg_loading,
-          [ load_domain/4,       % +File, +Parameters, -Module, -Description  det
+          [ load_domain/5,       % +File, +Parameters, +Trust, -Module, -Description  det
             unload_domain/1,     % +Module                       det
             defines/2            % +Module, ?Indicator           nondet
           ]).
@@ -13,6 +13,7 @@
 :- use_module(interpretation, [forget/1, forget_tables/2]).
 :- use_module(randomness, []).
 :- use_module(report, [explanation/2]).
+:- use_module(safety, [forget_files/0, guarding/2, unguarded/1]).
 
 /** <module> Loading domain files
 
@@ -25,19 +26,27 @@ beside itself.
     instances/1.
 instances(0).
 
-%!  load_domain(+File, +Parameters, -Module, -Description) is det.
+%!  load_domain(+File, +Parameters, +Trust, -Module, -Description) is det.
 %
-%   Parameters is a list of lists [Name, Value]. Description is a list of lists [Key, Value].
+%   Parameters is a list of lists [Name, Value]. Trust is true where the file may do anything; else see safety.pl.
+%   Description is a list of lists [Key, Value].
 %
 %   @throws nppg_problems(Problems): every mistake that can be found without running the domain
 
-load_domain(File, Parameters, Module, Description) :-
+load_domain(File, Parameters, Trust, Module, Description) :-
     module_name(File, Name),
     retract(instances(Count0)),
     Count is Count0+1,
     assertz(instances(Count)),
     format(atom(Module), '~w#~d', [Name, Count]),
-    reading(Module, Name, File, Parameters, load(File, Module), Heard),
+    (   Trust == true
+    ->  Load = load(File, Module)
+    ;   file_directory_name(File, Folder),
+        Load = guarding(Folder, load(File, Module))
+    ),
+    reading(Module, Name, File, Parameters, Load, Heard, Refused0),
+    findall(Problem, unguarded(Problem), Refused, Refused0),
+    must_be_harmless(Refused, Module),
     add_import_module(Module, nppg_randomness, start),
     add_import_module(Module, nppg_formula, start),
     (   member(Problem, Heard), syntax_error(Problem)
@@ -68,6 +77,21 @@ load_domain(File, Parameters, Module, Description) :-
     ;   true
     ),
     findall([Key, Value], description(Module, Name, Key, Value), Description).
+
+%   The first of the places is told, and how many there are.
+
+must_be_harmless([], _) :-
+    !.
+must_be_harmless(Refused, Module) :-
+    forget_files,
+    unload_domain(Module),
+    sort(Refused, [-(File, Line, Column, Text)|More]),
+    length(More, Count),
+    (   Count == 0
+    ->  Message = Text
+    ;   format(atom(Message), '~w [~D more]', [Text, Count])
+    ),
+    throw(nppg_problems([-(File, Line, Column, Message)])).
 
 tabled(Module, Head) :-
     current_predicate(Module:Name/Arity),

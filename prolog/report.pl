@@ -7,6 +7,7 @@
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/2]).
 :- use_module(library(lists), [append/3, memberchk/2]).
 :- use_module(interpretation).
+:- use_module(safety, [refusal/2]).
 
 /** <module> Telling the user what is wrong
 
@@ -39,6 +40,9 @@ problems(nppg_fault(Predicate, What), [Problem]) :-
         Problem = -(File, Line, 0, Text, Unknown, All)
     ;   Problem = -(File, Line, 0, Text)
     ).
+problems(nppg_refused(What, _), [-('', 0, 0, Text)]) :-
+    !,
+    refusal(What, Text).
 problems(Error, [-('', 0, 0, Text)]) :-
     explanation(Error, Explanation),
     format(atom(Text), 'Prolog: ~w', [Explanation]).
@@ -72,6 +76,10 @@ what(nppg_halt, Text) :-
 what(nppg_unseeded, Text) :-
     !,
     Text = 'drew a random number, which only start/1, effects, reward/2 and observation/1 may,'.
+what(nppg_refused(What, _), Text) :-
+    !,
+    refusal(What, Refusal),
+    atom_concat('was stopped: ', Refusal, Text).
 what(error(resource_error(Resource), _), Text) :-
     !,
     format(atom(Text), 'ran out of ~w (does it recurse without end?)', [Resource]).

@@ -117,6 +117,9 @@ class TestTable(Table):
         super().__init__(domain, bias)
         kinds = [[template.name, len(template.types)] for template in bias.actions]
         goal = [bias.goal.name, len(bias.goal.types)] if bias.goal else []
+        if not domain.trusted:
+            asked = [[mode.name, len(mode.args)] for mode in bias.modes]
+            ask("harmless", domain.module, [goal, *asked] if goal else asked)
         self.name: str = ask("table", domain.module, kinds, goal)
         drop_with(self, "table_drop", self.name)
         self._words = Words(bias, self._is_static)

@@ -39,6 +39,16 @@ def add_domain(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> Non
     parser.add_argument("--bias", help="language bias (default: the file of the domain's name, or a generated one)")
     add_parameters(parser)
     add_problems(parser)
+    add_trust(parser)
+
+
+def add_trust(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
+    """Whether the domain file is code that may do anything."""
+    parser.add_argument(
+        "--trust",
+        action="store_true",
+        help="let the domain file do anything on this machine: for those of authors whom you trust (SECURITY.md)",
+    )
 
 
 def add_problems(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
@@ -111,6 +121,7 @@ def add_parameters(parser: argparse.ArgumentParser | argparse._ArgumentGroup) ->
 def add_model(parser: argparse.ArgumentParser) -> None:
     """A model file."""
     parser.add_argument("model", type=Path, help="a model file")
+    add_trust(parser)
 
 
 def add_explain(parser: argparse.ArgumentParser) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Sequence
 from importlib import import_module
@@ -49,6 +50,8 @@ def _run(arguments: Sequence[str]) -> int:
     parser = Parser(prog=f"nppg {name}", description=f"{VERBS[name].capitalize()}.", allow_abbrev=False)
     verb.add_arguments(parser)
     options = parser.parse_args(rest, argparse.Namespace(arguments=arguments))
+    if getattr(options, "trust", False):
+        os.environ["NPPG_TRUST"] = "1"  # for the processes, too, that the command starts
     with warnings_told():
         status: int = verb.run(options)
     return status

@@ -14,6 +14,7 @@ from typing import NamedTuple, Protocol
 
 from nppg.bias.declarations import Template, TreeLimits
 from nppg.bias.language_bias import LanguageBias
+from nppg.bridge.bounds import DATA, bounded
 from nppg.bridge.files import replacing, shipped
 from nppg.bridge.prolog import ask
 from nppg.bridge.terms import ground
@@ -100,7 +101,7 @@ def write_model(
     )
 
 
-def read(path: Path, parameters: Mapping[str, int | float | str]) -> Stored:
+def read(path: Path, parameters: Mapping[str, int | float | str], trust: bool | None = None) -> Stored:
     """Reads a model. Its domain is the copy beside it, else the shipped one of that name.
 
     Raises NppgError for what is no model, is cut off, or uses an action or a predicate that it does not declare
@@ -112,6 +113,7 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Stored:
         raise NppgError([Problem(str(path), 0, 0, f"cannot be read: {error.strerror}")]) from None
     if path.suffix == ".pddl":
         raise NppgError([Problem(str(path), 0, 0, "is PDDL and no model: nppg train writes one")])
+    bounded(path.read_bytes(), str(path), DATA)
     facts, _, domain_file, clauses = ask("model", str(path))
     known: dict[str, list] = {}
     for key, value in facts:
@@ -124,7 +126,8 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Stored:
     shipped_file = shipped("domains") / domain_file
     if not beside.is_file() and not shipped_file.is_file():
         raise _wrong(path, 1, f"the model's domain is missing: {domain_file} has to stand beside it")
-    domain = open_domain(beside if beside.is_file() else shipped_file.stem, {**_parameters(path, known), **parameters})
+    given = {**_parameters(path, known), **parameters}
+    domain = open_domain(beside if beside.is_file() else shipped_file.stem, given, trust=trust)
     bias = _bias(path, known, domain)
     trees = [
         from_rules(rules, bias.forms.deciding_tests)

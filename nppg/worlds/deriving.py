@@ -29,7 +29,7 @@ def worth_testing(domain: Domain, bias: LanguageBias) -> list[Derived]:
         file = Path(folder, domain.path.name)
         file.write_bytes(domain.source + text(found).encode())
         try:
-            seen = _seen(Domain(file, domain.given), _starts(domain), found)
+            seen = _seen(Domain(file, domain.given, domain.trusted), _starts(domain), found)
         except NppgError as error:
             own = (replace(each, file=str(domain.path)) if each.file == str(file) else each for each in error.problems)
             raise NppgError(own) from None

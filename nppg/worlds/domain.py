@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from nppg.bridge.bounds import checked
 from nppg.bridge.files import locate
 from nppg.bridge.plain import alone
 from nppg.bridge.prolog import ask, randomness
@@ -23,6 +24,7 @@ from nppg.worlds.legal import LegalActions
 from nppg.worlds.loaded import Loaded
 from nppg.worlds.problems import BESIDE, Problems, numbered, problems_in, problems_text
 from nppg.worlds.state import Interpretation, facts_of, static_facts
+from nppg.worlds.trust import trusting
 from nppg.worlds.world import Action, Outcome, Situation, State
 
 if TYPE_CHECKING:
@@ -39,20 +41,25 @@ class Domain:
     """An instance of a domain file with its parameters; it has its own module in Prolog until it is dropped.
 
     Its copies share the module, because all that they are asked is about a state that they are given. Pickled it takes
-    the text of its file along.
-
-    `name_or_path` is a shipped domain's name or a file. Raises NppgError with every mistake that can be found
-    in the file, and from all methods for mistakes that show only when the domain's code runs.
+    the text of its file along. `name_or_path` is a shipped domain's name or a file, which may do anything if it is to
+    `trust`; see nppg.worlds.trust. Raises NppgError with every mistake that can be found in the file, and from all
+    methods for mistakes that show only when the domain's code runs.
     """
 
-    def __init__(self, name_or_path: str | Path, parameters: Mapping[str, int | float | str] | None = None):
+    def __init__(
+        self,
+        name_or_path: str | Path,
+        parameters: Mapping[str, int | float | str] | None = None,
+        trust: bool | None = None,
+    ):
+        self.trusted = trusting(trust)
         self.path = locate(name_or_path, "domains", ".pl")
         self.given = named(parameters)
         try:
             self.source = self.path.read_bytes()
         except OSError as error:
             raise NppgError([Problem(str(self.path), 0, 0, f"cannot be read: {error.strerror}")]) from None
-        self._loaded = Loaded(self.path, self.given, self.source)
+        self._loaded = Loaded(self.path, self.given, self.source, self.trusted)
         description = self._loaded.description
         self.name: str = description["name"]
         self.parameters: dict[str, int | float | str] = dict(description["parameters"])
@@ -101,7 +108,7 @@ class Domain:
         """The state of these facts, written as Prolog has them: "on(b1, b2), on(b2, floor)". Raises NppgError for what
         is no text of ground facts of declared fluents."""
         known = [f"{name}/{arity}" for name, arity in self.fluents | self.static]
-        static, facts = ask("state_of", self.module, text.strip().removesuffix("."), known)
+        static, facts = ask("state_of", self.module, checked(text, "the state").strip().removesuffix("."), known)
         return Interpretation(ground(facts), static_facts(ground(static)))
 
     def visit(self, state: State) -> None:

@@ -26,6 +26,7 @@ from nppg.worlds.domain import Domain, named
 from nppg.worlds.gym_files import bias_text, domain_text
 from nppg.worlds.gym_make import Made, make, told
 from nppg.worlds.state import Interpretation
+from nppg.worlds.trust import HOW_TO_TRUST
 from nppg.worlds.world import Action, Outcome, Situation, State
 
 if TYPE_CHECKING:
@@ -54,9 +55,13 @@ class GymDomain(Domain):
         path: str | Path,
         parameters: Mapping[str, int | float | str] | None = None,
         made: Made | None = None,
+        trust: bool | None = None,
     ):
         given = named(parameters)
-        super().__init__(path, given)
+        super().__init__(path, given, trust)
+        if ":" in self.environment and not (made or self.trusted):
+            message = f"{self.environment} names a module of Python to load{HOW_TO_TRUST}"
+            raise NppgError([Problem(str(self.path), 0, 0, message)])
         self.parameters = {**given, **self.parameters}
         self.generated = made is not None  # its file, which has no place then
         self._made = made or make(self.environment, self.parameters)

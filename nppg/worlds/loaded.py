@@ -8,6 +8,7 @@ from operator import is_
 from pathlib import Path
 from weakref import WeakValueDictionary
 
+from nppg.bridge.bounds import bounded
 from nppg.bridge.prolog import ask, check_thread, drop_with
 from nppg.bridge.terms import Ground, compounds, ground, plain
 from nppg.worlds.state import (
@@ -22,14 +23,18 @@ from nppg.worlds.state import (
 )
 from nppg.worlds.world import Outcome
 
+_TRUTH = {True: "true", False: "false"}
+
 
 class Loaded:
     """A loaded domain file: its module in Prolog, which stays until the last Domain of it is dropped, and which of the
     states that these Domains visit is the current one."""
 
-    def __init__(self, path: Path, given: Mapping[str, int | float | str], source: bytes):
-        self.origin = (path, given, source)
-        self.module, entries = ask("load", str(path.resolve()), [list(each) for each in given.items()])
+    def __init__(self, path: Path, given: Mapping[str, int | float | str], source: bytes, trust: bool):
+        self.origin = (path, given, source, trust)
+        if not trust:
+            ask("dictionaries", _TRUTH[bounded(source, str(path))])
+        self.module, entries = ask("load", str(path.resolve()), [list(each) for each in given.items()], _TRUTH[trust])
         drop_with(self, "unload", self.module)
         self.description = dict(entries)
         self.current: Sequence[Ground] | None = None
@@ -187,14 +192,14 @@ class Loaded:
         return _loaded_again, self.origin
 
 
-def _loaded_again(path: Path, given: Mapping[str, int | float | str], source: bytes) -> Loaded:
+def _loaded_again(path: Path, given: Mapping[str, int | float | str], source: bytes, trust: bool) -> Loaded:
     """From the file, which may be another one by now or be missing, else from what it was."""
     try:
         if path.read_bytes() == source:
-            return Loaded(path, given, source)
+            return Loaded(path, given, source, trust)
     except OSError:
         pass
     with tempfile.TemporaryDirectory() as folder:
         own = Path(folder, path.name)
         own.write_bytes(source)
-        return Loaded(own, given, source)
+        return Loaded(own, given, source, trust)
