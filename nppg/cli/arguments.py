@@ -31,10 +31,12 @@ class Parser(argparse.ArgumentParser):
         return found
 
 
-def add_domain(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
-    """The domain, its parameters and its language bias."""
+def add_domain(parser: argparse.ArgumentParser | argparse._ArgumentGroup, needed: bool = True) -> None:
+    """The domain, if it is `needed` always, its parameters and its language bias."""
     parser.add_argument(
-        "domain", help="a shipped domain's name, a file, in PDDL too, or gym:ID for an environment of Gymnasium"
+        "domain",
+        nargs=None if needed else "?",
+        help="a shipped domain's name, a file, in PDDL too, or gym:ID for an environment of Gymnasium",
     )
     parser.add_argument("--bias", help="language bias (default: the file of the domain's name, or a generated one)")
     add_parameters(parser)

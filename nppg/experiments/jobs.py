@@ -17,6 +17,7 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.files import replacing
 from nppg.bridge.interrupts import undisturbed
 from nppg.errors import NppgError
+from nppg.experiments import checkpoints
 from nppg.experiments.cluster import heed_abandoned
 from nppg.experiments.many import Pool, each
 from nppg.experiments.progress import MEASURES, Judging, Progress, measured
@@ -61,8 +62,8 @@ class Job:
         return is_finished(self.folder, settings(*_opened(self.world), self.options, self.judging))
 
     def learn(self, folder: Path, heed: Callable[[], None] = lambda: None) -> None:
-        """Does it, and writes its files into this folder. An environment is made for it alone. `heed` is called again
-        and again, and may raise something that is to end the run."""
+        """Does it, or goes on with it where this folder has a checkpoint of it, and writes its files there. An
+        environment is made for it alone. `heed` is called again and again, and may raise what is to end the run."""
         domain, bias = _opened(self.world)
         if domain.environment:
             domain, bias = pickle.loads(self.world)
@@ -72,7 +73,17 @@ class Job:
             heed()
             report(progress)
 
-        run(domain, bias, self.options, folder, **self.judging, report=heeding, space=space)
+        known = settings(domain, bias, self.options, self.judging)
+        run(
+            domain,
+            bias,
+            self.options,
+            folder,
+            **self.judging,
+            report=heeding,
+            space=space,
+            resume=checkpoints.are_of(folder, known),
+        )
 
     def observer(self, domain: Domain, folder: Path) -> tuple[Callable[[Progress], None], Space | None]:
         """What the run reports to, and the domain's space, where that has it."""

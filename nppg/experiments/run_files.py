@@ -21,27 +21,28 @@ from nppg.errors import NppgError, Problem
 from nppg.experiments import drawing
 from nppg.experiments.progress import Judging, Point, Progress, sizes, title
 from nppg.learning.options import Common
-from nppg.policy.copies import conflicts, recorded_hashes, write_copies
+from nppg.policy.copies import CHECKPOINT, conflicts, write_copies
 from nppg.policy.model import write_model
 from nppg.worlds.domain import Domain
 from nppg.worlds.problems import BESIDE
 
-_FILES = ("model.pl", "run.json", "curve.csv", "curve.png")
+FILES = ("model.pl", "run.json", "curve.csv", "curve.png")
 
 
-def in_the_way(domain: Domain, bias: LanguageBias, output: Path) -> list[Problem]:
-    """What stands in the way of the files, in the folder `output`."""
-    return list(conflicts(output, _copies(domain, bias), _FILES).values())
+def in_the_way(copies: Mapping[str, bytes], output: Path) -> list[Problem]:
+    """What stands in the way of the files and of these copies, in the folder `output`."""
+    return list(conflicts(output, copies, (*FILES, CHECKPOINT)).values())
 
 
-def _copies(domain: Domain, bias: LanguageBias) -> dict[str, bytes]:
+def copies_of(domain: Domain, bias: LanguageBias) -> dict[str, bytes]:
     """The contents of the input files, by name; a bias made in Python has none."""
     copies = {domain.path.name: domain.source, **domain.companions}
     return copies | {Path(bias.file).name: bias.source} if bias.source else copies
 
 
-def settings(domain: Domain, bias: LanguageBias, options: Common, judging: Judging) -> dict[str, Any]:
-    """What a run depends on, as run.json tells it."""
+def settings(domain: Domain, bias: LanguageBias, options: Common, judging: Judging | None = None) -> dict[str, Any]:
+    """What a run depends on, as run.json tells it; without `judging`, what its policy does."""
+    curve = {} if judging is None else {"curve": dict(judging)}
     return {
         "domain": {"file": domain.path.name, "sha256": domain.hash, "parameters": domain.parameters},
         "bias": {"file": Path(bias.file).name, "sha256": bias.hash} if bias.source else None,
@@ -49,7 +50,7 @@ def settings(domain: Domain, bias: LanguageBias, options: Common, judging: Judgi
         "learner": options.learner,
         "options": asdict(options),
         "tree": asdict(bias.tree),
-        "curve": dict(judging),
+        **curve,
     }
 
 
@@ -66,7 +67,7 @@ def is_finished(output: Path, wanted: Mapping[str, Any]) -> bool:
         )
     except (OSError, ValueError, KeyError, TypeError):
         return False
-    return alike and ended and all((output / name).is_file() for name in _FILES[: 3 if last else 2])
+    return alike and ended and all((output / name).is_file() for name in FILES[: 3 if last else 2])
 
 
 def any_reached(*wanted: tuple[float | None, float | None]) -> bool:
@@ -75,15 +76,20 @@ def any_reached(*wanted: tuple[float | None, float | None]) -> bool:
 
 
 @undisturbed()
-def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[str]:
-    """Writes all files of a run, each under a temporary name first, and removes the curve of an earlier one. Returns
-    their names. Raises NppgError at the end where a file has come into the way of a copy since the run began."""
+def write_files(
+    progress: Progress,
+    bias: LanguageBias,
+    output: Path,
+    copies: Mapping[str, bytes],
+    earlier: Mapping[str, str],
+    ended: bool = True,
+) -> list[str]:
+    """Writes all files of a run, each under a temporary name first, with `copies` of its inputs, and removes the curve
+    of an `earlier` one, of which the hashes of inputs were recorded; before it has `ended` no picture. Returns their
+    names. Raises NppgError at the end where a file has come into the way of a copy since the run began."""
     policy, options = progress.policy, progress.options
     domain = policy.domain
-    earlier = recorded_hashes(output)
-    rerun = bool(earlier)
-    copies = _copies(domain, bias)
-    problems = conflicts(output, copies, _FILES)
+    problems = conflicts(output, copies, FILES)
     copies = {name: source for name, source in copies.items() if name not in problems}
     judging = progress.judging
     until = (judging["until_success"], judging["until_return"]) != (None, None) or "seconds" in judging
@@ -110,12 +116,14 @@ def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[st
         "seconds": round(progress.seconds, 3),
         "last": asdict(progress.curve[-1]) if progress.curve else None,
     }
-    replacing(output / "run.json", lambda path: path.write_text(json.dumps(summary, indent=2) + "\n"))
     written = [*copies, "model.pl", "run.json"]
     if progress.curve:
         replacing(output / "curve.csv", lambda path: _write_curve(path, progress.curve))
-        written += ["curve.csv", "curve.png"] if _draw(progress, output / "curve.png") else ["curve.csv"]
-    for name in set(_FILES) - set(written) if rerun else ():
+        written.append("curve.csv")
+        if ended and _draw(progress, output / "curve.png"):
+            written.append("curve.png")
+    replacing(output / "run.json", lambda path: path.write_text(json.dumps(summary, indent=2) + "\n"))
+    for name in set(FILES) - set(written) if earlier else ():
         (output / name).unlink(missing_ok=True)
     if problems:
         raise NppgError(problems.values())

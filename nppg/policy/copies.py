@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Collection, Mapping
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 
 from nppg.bridge.files import replacing, sha256
 from nppg.errors import Problem
+
+CHECKPOINT = "checkpoint.json"
 
 
 def conflicts(folder: Path, copies: Mapping[str, bytes], own: Collection[str]) -> dict[str, Problem]:
@@ -35,13 +38,15 @@ def write_copies(folder: Path, copies: Mapping[str, bytes]) -> None:
 
 
 def recorded_hashes(folder: Path) -> dict[str, str]:
-    """SHA-256 of the inputs that the last run into a folder put there, by name."""
-    try:
+    """SHA-256 of the inputs that the last run into a folder put there, by name, whether or not it came to its end."""
+    found: dict[str, str] = {}
+    with suppress(OSError, ValueError, KeyError, TypeError), (folder / CHECKPOINT).open(encoding="utf-8") as file:
+        found |= json.loads(file.readline())["files"]
+    with suppress(OSError, ValueError, KeyError, TypeError):
         summary = json.loads((folder / "run.json").read_text())
         inputs = (summary["domain"], summary["bias"], *summary.get("beside", ()))
-        return {each["file"]: each["sha256"] for each in inputs if each}
-    except (OSError, ValueError, KeyError, TypeError):
-        return {}
+        found |= {each["file"]: each["sha256"] for each in inputs if each}
+    return found
 
 
 def _contents(path: Path) -> bytes | None:

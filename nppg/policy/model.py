@@ -95,10 +95,15 @@ def write_model(
     comments = [[each] for each in policy.comments]
     if sentences:
         comments = [[*comment, *said] for comment, said in zip(comments, sentences, strict=True)]
-    replacing(
-        path,
-        lambda temporary: ask("save", str(temporary), domain.name, domain.path.name, entries, policy.name, comments),
-    )
+    clauses = policy.name
+
+    def write_to(temporary: Path) -> None:
+        try:
+            ask("save", str(temporary), domain.name, domain.path.name, entries, clauses, comments)
+        except NppgError as error:
+            raise NppgError([Problem(str(path), 0, 0, f"cannot be written: {error}")]) from None
+
+    replacing(path, write_to)
 
 
 def read(path: Path, parameters: Mapping[str, int | float | str], trust: bool | None = None) -> Stored:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
@@ -46,6 +46,12 @@ class Regressor(Protocol):
 
     def stored(self) -> tuple[Policy, list[tuple]]:
         """A policy of one tree, and facts that say with it what is predicted."""
+
+    def saved(self) -> dict[str, Any]:
+        """All that it has learned, to be stored."""
+
+    def resume(self, saved: dict[str, Any]) -> None:
+        """Goes on with that, in place of having learned nothing."""
 
 
 class QFunction(Policy):

@@ -121,6 +121,10 @@ class GymDomain(Domain):
             raise self._mistake(unfit) from None
         return self._state
 
+    def comes_back(self) -> bool:
+        """Whether a seed leads to the same start twice, as far as one shows."""
+        return self.start(np.random.default_rng(0)) == self.start(np.random.default_rng(0))
+
     def situation(self, state: State, lean: bool = False) -> Situation:
         """`terminal` once the environment has terminated the episode, else its actions, or those that its mask allows;
         `truncated` with those that there would be, once the environment itself has cut the episode off."""

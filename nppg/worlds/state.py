@@ -47,7 +47,7 @@ class Static:
         return hash(self.facts)
 
     def __reduce__(self) -> tuple:
-        return _static_again, (self.facts,)
+        return static_again, (self.facts,)
 
 
 NOTHING = Static()
@@ -62,7 +62,7 @@ def static_facts(facts: Iterable[Ground]) -> Static:
 _read_again: WeakValueDictionary[object, Static] = WeakValueDictionary()
 
 
-def _static_again(facts: tuple[Ground, ...]) -> Static:
+def static_again(facts: tuple[Ground, ...]) -> Static:
     """Those that have been copied or pickled: the same object each time, which the domain files know already."""
     return _read_again.setdefault(exact(facts), static_facts(facts)) if facts else NOTHING
 

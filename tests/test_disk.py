@@ -1,0 +1,202 @@
+"""Several runs at once, disks that fail, processes that are killed: nothing that was there is lost."""
+
+from __future__ import annotations
+
+import errno
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from test_checkpoints import files
+
+from nppg.bridge.files import held
+from nppg.cli.main import main
+from nppg.experiments import checkpoints, run_files
+from nppg.experiments.checkpoints import Checkpoints
+from nppg.policy.copies import CHECKPOINT
+from nppg.policy.policy import Policy
+
+SMALL = ["train", "blocks_world", "--set", "blocks=3", "--min-examples", "20", "--evaluate-every", "5", "--quiet"]
+COMMAND = [sys.executable, "-m", "nppg"]
+KILLS = int(os.environ.get("NPPG_SOAK", "2"))  # `make soak` has more
+
+
+@pytest.fixture(autouse=True)
+def no_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(run_files, "_draw", lambda *_: False)
+
+
+def is_whole(folder: Path, swept: bool = True) -> None:
+    """Whether what is in a folder can be gone on with and used."""
+    if (folder / CHECKPOINT).exists():
+        assert checkpoints.read(folder / CHECKPOINT)["count"] > 0
+    if (folder / "model.pl").exists():
+        Policy.load(folder / "model.pl")
+    assert not swept or not list(folder.glob(".*"))
+
+
+# ---------------------------------------------------------------- two runs
+
+
+def test_a_second_run_into_a_folder_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for again in (["--output", str(tmp_path)], ["--seeds", "0", "--output", str(tmp_path.parent)]):
+        folder = tmp_path if "--seeds" not in again else tmp_path.parent / "seed-0"
+        folder.mkdir(exist_ok=True)
+        with held(folder):
+            assert main([*SMALL, "--episodes", "5", *again]) == 2
+            assert not list(folder.iterdir())
+        error = capsys.readouterr().err
+        assert error.startswith(f"{folder}: another run is writing into this folder") and error.count("\n") == 1
+
+
+def test_a_dead_process_holds_no_folder(tmp_path: Path) -> None:
+    program = "import os, sys, pathlib, signal; from nppg.bridge.files import held; held(pathlib.Path(sys.argv[1]))"
+    program += ".__enter__(); os.kill(os.getpid(), signal.SIGKILL)"
+    process = subprocess.run([sys.executable, "-c", program, str(tmp_path)])
+    assert process.returncode == -signal.SIGKILL
+    with held(tmp_path):
+        pass
+
+
+# ---------------------------------------------------------------- failing disks
+
+
+class Failing:
+    """The k-th call of a function fails as on a full disk, and so does every later one until it is mended."""
+
+    def __init__(self, function: Callable, at: int, before: Callable[..., object] = lambda *_: None):
+        self.function = function
+        self.left = at
+        self.before = before
+
+    def __call__(self, *args: Any, **keywords: Any) -> Any:
+        self.left -= 1
+        if self.left == 0:
+            self.before(*args)
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        return self.function(*args, **keywords)
+
+
+def half(path: Path, *_: object) -> None:
+    path.write_bytes(b"half of")
+
+
+WHERE = {
+    "fsync": (os, "fsync", lambda *_: None),
+    "rename": (os, "replace", lambda *_: None),
+    "create": (Path, "touch", lambda *_: None),
+    "write": (Path, "write_text", half),
+}
+
+
+@pytest.mark.parametrize("where", WHERE)
+def test_any_write_may_fail(
+    where: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(Checkpoints, "are_due", property(lambda _: True))
+    assert main([*SMALL, "--episodes", "8", "--output", str(tmp_path / "whole")]) == 0
+    owner, name, before = WHERE[where]
+    for at in (1, 2, 3, 5, 8, 13, 21):
+        folder = tmp_path / f"{where}-{at}"
+        with monkeypatch.context() as broken:
+            failing = Failing(getattr(owner, name), at, before)
+            broken.setattr(owner, name, lambda *args, failing=failing, **keywords: failing(*args, **keywords))
+            status = main([*SMALL, "--episodes", "8", "--output", str(folder)])
+        error = capsys.readouterr().err
+        if failing.left > 0:
+            assert status == 0
+            break
+        assert status == 2 and error.count("\n") == 1 and "No space left on device" in error
+        is_whole(folder)
+        if (folder / CHECKPOINT).exists():
+            assert main(["train", "--resume", str(folder), "--quiet"]) == 0
+            assert files(folder) == files(tmp_path / "whole")
+
+
+def test_a_folder_may_vanish(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(Checkpoints, "are_due", property(lambda _: True))
+    folder, write = tmp_path / "run", checkpoints.write
+
+    def vanishing(path: Path, *given: Any) -> None:
+        write(path, *given)
+        if given[0]["count"] == 3:
+            shutil.rmtree(folder)
+
+    monkeypatch.setattr(checkpoints, "write", vanishing)
+    assert main([*SMALL, "--episodes", "8", "--output", str(folder)]) == 2
+    error = capsys.readouterr().err
+    assert error.count("\n") == 1 and "No such file or directory" in error and not folder.exists()
+
+
+# ---------------------------------------------------------------- what is refused
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--resume", "nowhere"], "nowhere: there is no checkpoint to go on from"),
+        (["--resume", "nowhere", "--seed", "1"], "leave out --seed"),
+        (["blocks_world", "--resume", "nowhere"], "leave out the domain"),
+        (["blocks_world", "--checkpoint-every", "-1"], "checkpoint-every must be a finite number, at least 0, not -1"),
+        ([], "nppg train: name a domain, or a run to go on with by --resume"),
+    ],
+)
+def test_mistakes_are_one_line(arguments: list[str], message: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["train", *arguments]) == 2
+    error = capsys.readouterr().err
+    assert message in error and error.count("\n") == 1
+
+
+def test_a_damaged_checkpoint_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*SMALL, "--episodes", "5", "--output", str(tmp_path)]) == 0
+    path = tmp_path / CHECKPOINT
+    whole = path.read_bytes()
+    draw = random.Random(0)
+    for _ in range(150):
+        at = draw.randrange(len(whole))
+        flipped = bytes([whole[at] ^ 1 << draw.randrange(8)])
+        damaged = whole[:at] if draw.random() < 0.5 else whole[:at] + flipped + whole[at + 1 :]
+        path.write_bytes(damaged)
+        assert main(["train", "--resume", str(tmp_path), "--quiet"]) == 2
+        error = capsys.readouterr().err
+        assert error.startswith(f"{path}: ") and error.count("\n") == 1
+
+
+# ---------------------------------------------------------------- killed
+
+
+def test_a_run_may_be_killed_at_any_moment(tmp_path: Path) -> None:
+    options = [*SMALL, "--episodes", "150", "--jobs", "1"]
+    assert main([*options, "--output", str(tmp_path / "whole")]) == 0
+    draw = random.Random(KILLS)
+    folder, survived = tmp_path / "run", 0
+    for _ in range(KILLS):
+        begun = (folder / CHECKPOINT).exists()
+        arguments = ["train", "--resume", str(folder), "--quiet"] if begun else [*options, "--output", str(folder)]
+        process = subprocess.Popen([*COMMAND, *arguments, "--checkpoint-every", "0.01"], stderr=subprocess.PIPE)
+        if not begun and draw.random() < 0.8:
+            while process.poll() is None and not (folder / CHECKPOINT).exists():
+                time.sleep(0.01)
+        time.sleep(draw.random() * (0.5 if not begun else 3.0))
+        process.kill()
+        _, errors = process.communicate()
+        assert errors == b""
+        if folder.exists():
+            is_whole(folder, swept=False)
+        if process.returncode == 0:
+            survived += 1
+            assert files(folder) == files(tmp_path / "whole")
+            shutil.rmtree(folder)
+    if (folder / CHECKPOINT).exists():
+        assert main(["train", "--resume", str(folder), "--quiet"]) == 0
+        assert files(folder) == files(tmp_path / "whole")
