@@ -13,6 +13,8 @@ from nppg.logic.query import OPEN, Constant
 
 EQUALITY = ("equal", "=")  # its name in a file, and in Prolog
 
+ANY = "_"  # a type that is like every other one
+
 MIN_VARIANCE = 1e-9  # the default, which alone is in the square of the targets' unit
 
 
@@ -40,11 +42,32 @@ class Mode:
     lookahead: int = 0  # how many further literals a test that starts with this one may add at once
     line: int = field(default=0, compare=False)
     column: int = field(default=0, compare=False)
+    recall: int = 0  # at most so many literals of this mode stand in a query (ACE's rmode(N: ...)); 0: any number
 
     def __str__(self) -> str:
         if self.name in OPEN:
             return f"{self.args[0]} {self.name} #"
         return atom("equal" if self.name == "=" else written(self.name), self.args)
+
+
+@dataclass(frozen=True, slots=True)
+class Follower:
+    """A literal of a lookahead template. An argument is what a mode has, or the number of a place whose term it is:
+    from 0, through the arguments of the template's first literal and of the followers before this one."""
+
+    name: str
+    args: tuple[int | Argument, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Lookahead:
+    """A template of what a test may add at once behind a literal (ACE's lookahead/2): behind each literal `name` whose
+    arguments are those `given`, None for anything, all `followers` together. `sbond(M, A, B, T), atom(M, B, #[c, n])` is
+    Lookahead("sbond", (None,) * 4, (Follower("atom", (0, 2, Argument("#", "element", ("c", "n")))),))."""
+
+    name: str
+    given: tuple[Constant | None, ...]
+    followers: tuple[Follower, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +126,7 @@ class Declared:
     file: str
     actions: tuple[Template, ...]  # one for each kind of action
     goal: Template | None
-    types: Mapping[str, tuple[str, ...]]  # predicate -> argument types; the action's and the goal's too
+    types: Mapping[str, tuple[str, ...]]  # predicate -> argument types; the action's and the goal's too; see types_of
     subtypes: Mapping[str, str]  # type -> its direct supertype
     modes: tuple[Mode, ...]
     max_lookahead: int  # of any mode
@@ -113,6 +136,12 @@ class Declared:
     options: Mapping[str, Constant] = field(default_factory=dict)  # of learners, which say what they may be
     is_default_maximum: bool = field(default=False, compare=False, repr=False)  # the file says no max_variables
     option_places: Mapping[str, OptionPlaces] = field(default_factory=dict, compare=False, repr=False)
+    lookaheads: tuple[Lookahead, ...] = ()
+
+    def types_of(self, name: str, arity: int) -> tuple[str, ...] | None:
+        """Those of a predicate's arguments. Where one name has several arities, the others are kept as name/arity."""
+        found = self.types.get(name)
+        return found if found is not None and len(found) == arity else self.types.get(f"{name}/{arity}")
 
 
 def upwards(subtypes: Mapping[str, str], type_: str) -> list[str]:

@@ -12,7 +12,7 @@ from functools import cached_property
 from itertools import accumulate
 from pathlib import Path
 
-from nppg.bias.declarations import Declared, Mode, Template, upwards
+from nppg.bias.declarations import ANY, Declared, Mode, Template, upwards
 from nppg.bias.reader import read
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.logic.forms import Forms
@@ -50,7 +50,7 @@ class LanguageBias(Declared):
 
     def fits(self, type_: str, wanted: str) -> bool:
         """Whether a variable of `type_` may stand where `wanted` is asked for: the same type, or one below it."""
-        return wanted in upwards(self.subtypes, type_)
+        return ANY in (type_, wanted) or wanted in upwards(self.subtypes, type_)
 
     @classmethod
     def load(cls, path: str | Path) -> LanguageBias:
