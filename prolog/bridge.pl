@@ -109,6 +109,9 @@ problems_in(Module, File, Problems) :-
 source(Text, Operators, Rows) :-
     read_source(Text, Operators, Rows).
 
+unchangeable(Indicators, Those) :-
+    built_in(Indicators, Those).
+
 %!  taken(+Name, +Arity, -Truth) is det: whether a predicate of this name is not a domain file's to define.
 
 taken(Name, Arity, Truth) :-

@@ -1,9 +1,11 @@
 :- module(nppg_source,
-          [ read_source/3        % +Text, +Operators, -Rows      det
+          [ read_source/3,       % +Text, +Operators, -Rows      det
+            built_in/2           % +Indicators, -Those           det
           ]).
 
 :- use_module(library(lists), [append/3, member/2, memberchk/2]).
 :- use_module(library(modules), [in_temporary_module/3]).
+:- use_module(allowed, [kind/2]).
 :- use_module(report, [explanation/2]).
 :- use_module(safety, [clause_doubts/2, refusal/2]).
 :- use_module(terms, [encode/2, encode_flat/2]).
@@ -20,8 +22,9 @@ facts and the rules in it are told with their lines, for others to make somethin
 %
 %     - [Line, fact, Data] for a ground clause without a body,
 %     - [Line, rule, Head, Text, Calls, Doubts, Refusal] for another one, where Head is data, Calls the predicates that
-%       it calls as [Name, Arity], Doubts those among them that a program which is not trusted may not call, unless it
-%       defines them itself, and Refusal says why the clause cannot stand at all, or is '',
+%       it calls as [Name, Arity] but for those that every program may call, Doubts those among them that a program which
+%       is not trusted may not call, unless it defines them itself, and Refusal says why the clause cannot stand at all,
+%       or is '',
 %     - [Line, directive, Data] for what stands behind :- or ?-,
 %     - [Line, error, Message] for what cannot be read.
 %
@@ -121,7 +124,9 @@ rule(Term, Line, [Line, rule, Data, Text, Calls, Doubts, Refusal]) :-
     ;   findall([DoubtName, DoubtArity], member(DoubtName/DoubtArity, Found), Doubts),
         Refusal = ''
     ),
-    findall([CallName, CallArity], ( called(Body, Call), functor(Call, CallName, CallArity) ), Calls0),
+    findall([CallName, CallArity],
+            ( called(Body, Call), kind(Call, Kind), Kind == other, functor(Call, CallName, CallArity) ),
+            Calls0),
     sort(Calls0, Calls),
     with_output_to(string(Text), portray_clause(Clause)),
     numbervars(Head, 0, _),
@@ -161,3 +166,14 @@ called(Body, Goal) :-
         catch(Extended =.. List, _, fail),
         called(Extended, Goal)
     ).
+
+%!  built_in(+Indicators, -Those) is det.
+%
+%   Those of the predicates [Name, Arity] that Prolog has and lets nobody define anew.
+
+built_in(Indicators, Those) :-
+    findall([Name, Arity],
+            ( member([Name, Arity], Indicators),
+              functor(Head, Name, Arity),
+              once(( predicate_property(system:Head, iso) ; memberchk(Name/Arity, [(:)/2, (-->)/2, (=>)/2, (?-)/1]) )) ),
+            Those).
