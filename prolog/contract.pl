@@ -35,6 +35,8 @@ of them has a state argument: they see the facts of the current state. docs/doma
 A file that declares :- environment(Id) is about an environment of Gymnasium, where its dynamics live: of the
 predicates above it has action/1, and expert/1, picture/1 and parts/1 if it wants. Its parameters are the arguments
 that the environment is made with, whether the file declares them or not.
+
+A file that declares :- background, which TILDE writes, knows no actions: its predicates may have any of these names.
 */
 
 contract(start/1).
@@ -77,6 +79,9 @@ declared(Module, Head) :-
 environment(Module, Id) :-
     declared(Module, nppg_environment(Id)).
 
+background(Module) :-
+    declared(Module, nppg_background).
+
 fluent(Module, Indicator) :-
     declared(Module, nppg_fluent(Indicator)).
 
@@ -91,6 +96,7 @@ parameter(Module, Name, Value) :-
 %   What a domain file lacks or gets wrong, as a tuple -(File, Line, Column, Message).
 
 mistake(Module, File, _, -(File, 1, 0, Message)) :-
+    \+ background(Module),
     member(Needed-Text, [ start/1  - 'start/1 is missing: start(-Facts) gives a random start state',
                           action/1 - 'action/1 is missing: action(-Action) gives the legal actions' ]),
     \+ defined(Module, Needed),
@@ -98,12 +104,15 @@ mistake(Module, File, _, -(File, 1, 0, Message)) :-
     \+ ( Needed == start/1, ( defined(Module, problem/2) ; declared(Module, nppg_pddl(_)) ) ),
     Message = Text.
 mistake(Module, File, _, -(File, 1, 0, 'effect/3 is missing: effect(+Action, -Delete, -Add) says what an action changes')) :-
+    \+ background(Module),
     \+ environment(Module, _),
     \+ defined(Module, effect/3),
     \+ defined(Module, effect/4).
 mistake(Module, File, _, -(File, 1, 0, 'no fluent is declared: :- fluent on/2 says which facts a state consists of')) :-
+    \+ background(Module),
     \+ fluent(Module, _).
 mistake(Module, File, _, -(File, 1, 0, 'neither goal/0, terminal/0 nor reward/2 is defined: there is nothing to learn')) :-
+    \+ background(Module),
     \+ environment(Module, _),
     \+ defined(Module, goal/0),
     \+ defined(Module, terminal/0),
@@ -213,9 +222,9 @@ description(Module, _, predicates, Predicates) :-
     findall([Name, Arity],
             ( current_predicate(Module:Name/Arity),
               defined(Module, Name/Arity),
-              \+ contract(Name/Arity),
+              \+ ( contract(Name/Arity), \+ background(Module) ),
               \+ memberchk(Name/Arity, [ nppg_fluent/1, nppg_static/1, nppg_uniform_start/0, nppg_interchangeable/1,
-                                          nppg_environment/1, nppg_dead_ends/0, nppg_pddl/1, parameter/2 ]),
+                                          nppg_environment/1, nppg_dead_ends/0, nppg_background/0, nppg_pddl/1, parameter/2 ]),
               functor(Head, Name, Arity),
               \+ tamed(Head, _) ),
             Predicates0),

@@ -14,8 +14,8 @@
 /** <module> The declarations of a domain file
 
 While a domain file is being read, its declarations become clauses: those of nppg_fluent/1, nppg_static/1,
-nppg_interchangeable/1, nppg_environment/1, nppg_pddl/1 and parameter/2 and the facts nppg_uniform_start and
-nppg_dead_ends, in the file's module. Mistakes in them, and
+nppg_interchangeable/1, nppg_environment/1, nppg_pddl/1 and parameter/2 and the facts nppg_uniform_start,
+nppg_dead_ends and nppg_background, in the file's module. Mistakes in them, and
 what Prolog has to say of the file, are noted with their places.
 */
 
@@ -120,6 +120,7 @@ declaration(fluent(Specs), Module, Clauses) :-
 declaration(static(Specs), Module, Clauses) :-
     facts_declared(Specs, (static), Module, Clauses).
 declaration(dead_ends, _, [nppg_dead_ends]).
+declaration(background, _, [nppg_background]).
 declaration(pddl(File), _, Clauses) :-
     (   atom(File)
     ->  Clauses = [nppg_pddl(File)]
@@ -180,7 +181,8 @@ may_hold(Spec, Kind, Module) :-
     ->  kind_shown(Kind, What, Example),
         wrong('~w is declared by its name and the number of its arguments: :- ~w'-[What, Example]),
         fail
-    ;   contract(Spec)
+    ;   contract(Spec),
+        \+ declared(Module, nppg_background)
     ->  wrong('~q is a predicate of the contract and can be no ~w'-[Spec, Kind]),
         fail
     ;   built_in(Spec)

@@ -62,7 +62,9 @@ class Follower:
 @dataclass(frozen=True, slots=True)
 class Lookahead:
     """A template of what a test may add at once behind a literal (ACE's lookahead/2): behind each literal `name` whose
-    arguments are those `given`, None for anything, all `followers` together. `sbond(M, A, B, T), atom(M, B, #[c, n])` is
+    arguments are those `given`, None for anything, all `followers` together.
+
+    That of sbond(M, A, B, T) and atom(M, B, [c, n]) is
     Lookahead("sbond", (None,) * 4, (Follower("atom", (0, 2, Argument("#", "element", ("c", "n")))),))."""
 
     name: str

@@ -55,7 +55,8 @@ class Settings:
         if self.mode not in HEURISTICS:
             wrong.append(f"mode must be classify or regress, not {self.mode!r}")
         elif self.heuristic and self.heuristic not in HEURISTICS[self.mode]:
-            wrong.append(f"heuristic must be {' or '.join(HEURISTICS[self.mode])} to {self.mode}, not {self.heuristic!r}")
+            known = " or ".join(HEURISTICS[self.mode])
+            wrong.append(f"heuristic must be {known} to {self.mode}, not {self.heuristic!r}")
         if self.pruning and self.pruning not in PRUNING:
             wrong.append(f"pruning must be one of {', '.join(PRUNING)}, not {self.pruning!r}")
         for name, least in (("minimal_cases", 1), ("max_depth", 0), ("granularity", 0), ("random_state", 0)):

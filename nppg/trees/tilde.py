@@ -6,19 +6,20 @@ Usable on its own: `fit(examples, domain, bias)` grows a tree from states and ac
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
-from nppg.answers.coverage import Coverage, Known, root_table
+from nppg.answers.coverage import Coverage, root_table
 from nppg.bias.declarations import TreeLimits
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refiner
 from nppg.logic.query import Query
-from nppg.trees.tree import Leaf, Node, Tree, mapped
+from nppg.trees.growing import grown
+from nppg.trees.splits import Split, Splits
+from nppg.trees.tree import Leaf, Tree, mapped
 from nppg.worlds.domain import Domain
 from nppg.worlds.world import Action, State
 
@@ -67,30 +68,31 @@ def grow(
     root's: it holds for all examples. What is a gain at all is judged in the targets' `unit`, which is their size
     unless it is given: so the tree does not hang on how rewards are scaled."""
     unit = size_of(targets) if unit is None else unit
+    members = np.arange(len(targets))
+    return grown(_Values(targets, limits, newton, unit), coverage, refiner, limits.max_depth, members, query)
 
-    def node(query: Query, members: np.ndarray, known: Known, depth: int) -> Tree:
-        values = targets[members]
-        if depth == limits.max_depth or is_pure(values, limits, unit):
-            return leaf(targets, members, newton)
-        candidates = refiner.refinements(query)
-        answers, known = coverage.matrix(candidates, members, known)
-        if newton:
-            best = best_step(answers, values, newton.curvatures[members], newton.regularisation, limits, unit)
-        else:
-            best = best_split(answers, values, limits, unit)
-        if best is None:
-            return leaf(targets, members, newton)
-        chosen, covered = candidates[best.candidate], best.covered(answers)
-        if chosen.is_open:
-            chosen = chosen.closed(best.limit)
-        return Node(
-            chosen.literals,
-            (chosen.test,),
-            node(query + chosen.literals, members[covered], known, depth + 1),
-            node(query, members[~covered], known, depth + 1),
-        )
 
-    return node(query, np.arange(len(targets)), {}, 0)
+@dataclass(frozen=True, slots=True)
+class _Values:
+    """The criterion of real targets, one for each example."""
+
+    targets: np.ndarray
+    limits: TreeLimits
+    newton: Newton | None
+    unit: float
+
+    def is_pure(self, members: np.ndarray) -> bool:
+        return is_pure(self.targets[members], self.limits, self.unit)
+
+    def best(self, answers: np.ndarray, members: np.ndarray) -> Split | None:
+        values = self.targets[members]
+        if not self.newton:
+            return best_split(answers, values, self.limits, self.unit)
+        curvatures = self.newton.curvatures[members]
+        return best_step(answers, values, curvatures, self.newton.regularisation, self.limits, self.unit)
+
+    def leaf(self, members: np.ndarray) -> Leaf:
+        return leaf(self.targets, members, self.newton)
 
 
 def leaf(targets: np.ndarray, members: np.ndarray, newton: Newton | None) -> Leaf:
@@ -115,71 +117,13 @@ def is_pure(values: np.ndarray, limits: TreeLimits, unit: float) -> bool:
     return _variance(values) < limits.least_variance(unit)
 
 
-class Split(NamedTuple):
-    """A candidate, and the limit of what it covers where answers are numbers."""
-
-    candidate: int
-    limit: float
-
-    def covered(self, answers: np.ndarray) -> np.ndarray:
-        """Which examples pass, for answers of shape (examples, candidates)."""
-        own = answers[:, self.candidate]
-        return own if own.dtype == bool else own <= self.limit
-
-
-class _Splits:
-    """The possible splits of a node's examples, by their answers: one for each candidate; where answers are numbers,
-    one for each candidate and each cut between two values, halfway (the lower value where that is as far as numbers
-    go), or for at most `granularity` quantiles of the cuts of each candidate."""
-
-    def __init__(self, answers: np.ndarray, granularity: int):
-        self._truths = answers.dtype == bool
-        if self._truths:
-            self._covered = answers.astype(float)
-            return
-        self._order = np.argsort(answers, axis=0, kind="stable")
-        ordered = np.take_along_axis(answers, self._order, axis=0)
-        cuts = (ordered[:-1] < ordered[1:]).T
-        if granularity:
-            cuts = np.stack([_quantiles(each, granularity) for each in cuts])
-        self._candidates, self._last = np.nonzero(cuts)  # of each split, and the position of the last covered example
-        low, high = ordered[self._last, self._candidates], ordered[self._last + 1, self._candidates]
-        middle = low / 2 + high / 2
-        limits = np.where(middle < high, middle, low)
-        self._limits = np.maximum(limits, -sys.float_info.max)  # a threshold is finite
-
-    def sums(self, weights: np.ndarray) -> np.ndarray:
-        """For each split the sum of the weights, shape (examples,), of the examples that it covers."""
-        if self._truths:
-            return np.add.reduce(self._covered * weights[:, None], axis=0)
-        return weights[self._order].cumsum(axis=0)[self._last, self._candidates]
-
-    def counts(self) -> np.ndarray:
-        """For each split the number of examples that it covers."""
-        return np.add.reduce(self._covered, axis=0) if self._truths else self._last + 1.0
-
-    def __getitem__(self, split: int) -> Split:
-        return Split(split, 0.5) if self._truths else Split(int(self._candidates[split]), float(self._limits[split]))
-
-
-def _quantiles(cuts: np.ndarray, granularity: int) -> np.ndarray:
-    """At most so many of the cuts, each the first that leaves the k-th share of the examples below it."""
-    places = np.flatnonzero(cuts)
-    if len(places) <= granularity:
-        return cuts
-    wanted = np.arange(1, granularity + 1) * (len(cuts) + 1) / (granularity + 1) - 1
-    kept = np.zeros_like(cuts)
-    kept[places[np.minimum(np.searchsorted(places, wanted), len(places) - 1)]] = True
-    return kept
-
-
 def best_split(answers: np.ndarray, values: np.ndarray, limits: TreeLimits, unit: float | None = None) -> Split | None:
     """The split that reduces the weighted variance most, or None if none may split.
 
     `answers` has shape (examples, candidates). The reduction of the sum of squares is
     s1^2 / n1 + s0^2 / n0 - s^2 / n with the sums s and counts n of the two branches.
     """
-    splits = _Splits(answers, limits.granularity)
+    splits = Splits(answers, limits.granularity)
     n1, count = splits.counts(), len(values)
     found = best_gain(splits.sums(values), values.sum(), n1, count, n1, float(count), limits.min_examples)
     if found is None:
@@ -200,7 +144,7 @@ def best_step(
     """The split with the largest sum of f^2 / (h + regularisation) over the two branches, f and h the branch's sums,
     or None if none exceeds that of the undivided node. There is no F-test. Gains are in the targets' unit, as
     curvatures are too."""
-    splits = _Splits(answers, limits.granularity)
+    splits = Splits(answers, limits.granularity)
     s1, h1 = splits.sums(values), splits.sums(curvatures)
     whole = float(curvatures.sum())
     found = best_gain(s1, values.sum(), splits.counts(), len(values), h1, whole, limits.min_examples, regularisation)
