@@ -88,6 +88,18 @@ def told(data: Ground) -> str:
     return f"{told(name)}({', '.join(args)})"
 
 
+def canonical(data: Ground) -> str:
+    """A term as Prolog reads it, whatever the operators."""
+    if not isinstance(data, tuple):
+        return written(data)
+    if is_variable(data):
+        return f"V{data[1]}"
+    items = elements(data)
+    if items is not None:
+        return f"[{', '.join(map(canonical, items))}]"
+    return f"{written(data[0])}({', '.join(map(canonical, data[1:]))})"
+
+
 def read(path: Path, operators: Sequence[tuple[int, str, str]] = ()) -> list[Clause]:
     """What a file has, and the files that it loads from its folder. Raises NppgError with all that cannot be read."""
     clauses: list[Clause] = []
