@@ -22,6 +22,7 @@
 :- use_module(report, [problems/2]).
 :- use_module(rule_list).
 :- use_module(schemas).
+:- use_module(source).
 :- use_module(state_text).
 :- use_module(states).
 :- use_module(table).
@@ -102,6 +103,14 @@ problems_in(Module, File, Problems) :-
               encode_all(Static, StaticData),
               encode_all(Facts, Data) ),
             Problems).
+
+%!  source(+Text, +Operators, -Rows) is det: a program as data; see source.pl.
+
+source(Text, Operators, Rows) :-
+    read_source(Text, Operators, Rows).
+
+unchangeable(Indicators, Those) :-
+    built_in(Indicators, Those).
 
 %!  taken(+Name, +Arity, -Truth) is det: whether a predicate of this name is not a domain file's to define.
 

@@ -4,6 +4,7 @@
             forget_files/0,
             used_file/2,         % +File, +Module                    det
             unguarded/1,         % -Problem                          nondet
+            clause_doubts/2,     % +Clause, -Indicators              det
             refusal/2            % +What, -Text                      det
           ]).
 
@@ -49,6 +50,18 @@ unguarded(-(File, Line, 0, Text)) :-
     there(Module, Head),
     source_file_of(Id, Module, File),
     refusal(Name/Arity, Text).
+
+%!  clause_doubts(+Clause, -Indicators) is det.
+%
+%   Indicators are what a clause that is not loaded calls and that is refused unless its file defines it.
+%
+%   @throws nppg_refused(What, Why): the clause is refused whatever the file defines
+
+clause_doubts(Clause, Indicators) :-
+    noted(ignore(clause_of(Clause, nppg_unloaded, _))),
+    findall(Name/Arity,
+            ( doubt(nppg_unloaded, Name, Arity, _, _), functor(Head, Name, Arity), there(nppg_unloaded, Head) ),
+            Indicators).
 
 %!  used_file(+File, +Module) is det.
 %
