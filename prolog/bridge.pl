@@ -168,6 +168,12 @@ members(Module, Predicate, Data) :-
     objects(Module, Predicate, Objects),
     encode_all(Objects, Data).
 
+%!  answers_of(+Module, +Name, +Arity, -Data) is det: all answers of a predicate in the current state.
+
+answers_of(Module, Name, Arity, Data) :-
+    extension(Module, Name, Arity, Answers),
+    maplist(encode_all, Answers, Data).
+
 table(Module, Kinds, Goal, Table) :-
     new_table(Module, Kinds, Goal, Table).
 

@@ -13,6 +13,7 @@
             horizon/2,           % +Module, -Steps               det
             outcomes/3,          % +Module, +Action, -Outcomes   det
             reward/4,            % +Module, +Action, +Status, -Reward  det
+            extension/4,         % +Module, +Name, +Arity, -Answers  det
             objects/3,           % +Module, +Predicate, -Objects  det
             binding/4            % +Module, +Name, +Arity, -Values  det
           ]).
@@ -21,6 +22,7 @@
 :- use_module(library(lists), [member/2]).
 :- use_module(library(ordsets), [ord_subtract/3]).
 :- use_module(contract, [environment/2]).
+:- use_module(formula, [must_be_test/2]).
 :- use_module(guard).
 :- use_module(interpretation).
 :- use_module(loading, [defines/2]).
@@ -259,6 +261,15 @@ objects(Module, Predicate, Objects) :-
     Goal =.. [Predicate, Object],
     guarded_findall(Object, Module:(Predicate/1), Module:Goal, Found),
     sort(Found, Objects).
+
+%!  extension(+Module, +Name, +Arity, -Answers) is det.
+%
+%   All ground answers of a predicate in the current state, in order, each as its list of arguments.
+
+extension(Module, Name, Arity, Answers) :-
+    functor(Goal, Name, Arity),
+    must_be_test(Goal, Module),
+    guarded_findall(Args, Module:(Name/Arity), ( Module:Goal, ground(Goal), Goal =.. [_|Args] ), Answers).
 
 %!  binding(+Module, +Name, +Arity, -Values) is det.
 %

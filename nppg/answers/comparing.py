@@ -22,7 +22,7 @@ def mode_of(bound: Literal, test: Query, bias: LanguageBias) -> Mode | None:
 def _type(term: Term, test: Query, bias: LanguageBias) -> str:
     if isinstance(term, Var) and term.index < len(bias.roots):
         return bias.roots[term.index]
-    places = ((bias.types.get(each.name, ()), each.args) for each in test)
+    places = ((bias.types_of(each.name, len(each.args)) or (), each.args) for each in test)
     return next((type_ for types, args in places for type_, arg in zip(types, args, strict=False) if arg == term), "")
 
 

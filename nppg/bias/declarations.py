@@ -70,6 +70,7 @@ class Lookahead:
     name: str
     given: tuple[Constant | None, ...]
     followers: tuple[Follower, ...]
+    line: int = field(default=0, compare=False)
 
 
 @dataclass(frozen=True, slots=True)

@@ -84,6 +84,10 @@ class LanguageBias(Declared):
                 problems.append(Problem(self.file, mode.line, mode.column, message))
             elif mode.name != "=" and mode.name not in OPEN:
                 look_up("predicate", mode, len(mode.args), predicates)
+        for lookahead in self.lookaheads:
+            for each in lookahead.followers:
+                if each.name != "=" and each.name not in OPEN:
+                    look_up("predicate", Mode(each.name, (), line=lookahead.line), len(each.args), predicates)
         return sorted(problems)
 
 

@@ -13,8 +13,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import product
 
-from nppg.bias.declarations import Argument, Mode
+from nppg.bias.declarations import Argument, Follower, Lookahead, Mode
 from nppg.bias.language_bias import LanguageBias
+from nppg.bias.thresholds import closed as closed
+from nppg.bias.thresholds import is_open as is_open
+from nppg.bias.thresholds import ranked, unranked
 from nppg.errors import Problem
 from nppg.logic.forms import Given
 from nppg.logic.query import OPEN, Literal, Query, Term, Var, solve_equalities, substitute, tightened
@@ -47,23 +50,6 @@ class Refinement:
         return Refinement(closed(self.literals, limit), closed(self.test, limit), self.prefix)
 
 
-def closed(query: Query, limit: float) -> Query:
-    """A query with the threshold that makes its limit this one in place of OPEN; see logic.opened."""
-    return tuple(
-        Literal(each.name, (each.args[0], limit if each.name == "=<" else 0.0 - limit)) if is_open(each) else each
-        for each in query
-    )
-
-
-def is_open(literal: Literal) -> bool:
-    """Whether it is a bound whose threshold is still to be found."""
-    return literal.name in OPEN and literal.args[1] == OPEN[literal.name]
-
-
-def _is_closed(literal: Literal) -> bool:
-    return literal.name in OPEN and not is_open(literal)
-
-
 class Refiner:
     """The refinements of queries under a language bias; remembers what it has computed. Warns, once, where
     max_variables leaves some out and the author has not chosen it."""
@@ -81,13 +67,15 @@ class Refiner:
         """All refinements of an associated query, in the order of the mode declarations."""
         found = self._by_query.get(query)
         if found is None:
-            core, thresholds = _ranked(tightened(literal for literal in query if self._matters(literal)))
+            core, thresholds = ranked(tightened(literal for literal in query if self._matters(literal)))
             if core not in self._by_core:
                 self._by_core[core] = tuple(self._distinct(core))
             possible = self._by_core[core]
             if thresholds:
                 possible = tuple((_unranked(each, thresholds), patterns) for each, patterns in possible)
             found = tuple(self._adding(possible, query))
+            if any(mode.recall for mode in self.bias.modes):
+                found = tuple(each for each in found if self._recalled(query, each.literals))
             if len(self._by_query) >= _MEMORY:
                 self._by_query.clear()
             self._by_query[query] = found
@@ -113,6 +101,23 @@ class Refiner:
         return (literal.name, len(literal.args)) == (mode.name, len(mode.args)) and all(
             map(fits, literal.args, mode.args)
         )
+
+    def _recalled(self, query: Query, literals: Query) -> bool:
+        """Whether no mode's recall is exceeded by the literals behind a query."""
+
+        def of_mode(literal: Literal, mode: Mode) -> bool:
+            return (literal.name, len(literal.args)) == (mode.name, len(mode.args)) and all(
+                isinstance(term, Var) if arg.kind != "#" else term in arg.constants
+                for term, arg in zip(literal.args, mode.args, strict=True)
+            )
+
+        for i, literal in enumerate(literals):
+            before = (*query, *literals[:i])
+            own = [mode for mode in self.bias.modes if of_mode(literal, mode)]
+            counts = [sum(of_mode(each, mode) for each in before) if mode.recall else -1 for mode in own]
+            if own and all(count >= mode.recall for mode, count in zip(own, counts, strict=True)):
+                return False
+        return True
 
     def _matters(self, literal: Literal) -> bool:
         """Whether what can be added depends on the literal."""
@@ -159,6 +164,7 @@ class Refiner:
         for literal, steps in self._possible(types):
             yield (literal,)
             yield from self._lookahead((literal,), types, steps)
+            yield from self._templated((literal,), types, self.bias.max_lookahead)
 
     def _lookahead(self, literals: Query, types: dict[Var, str], steps: int) -> Iterator[Query]:
         """The literals with up to `steps` more behind them, each about a variable that they introduce."""
@@ -170,6 +176,25 @@ class Refiner:
                 yield (*literals, literal)
                 if not is_open(literal):  # one threshold at a time
                     yield from self._lookahead((*literals, literal), types, steps - 1)
+
+    def _templated(self, literals: Query, types: dict[Var, str], steps: int) -> Iterator[Query]:
+        """The literals with what lookahead templates add behind the last one, up to `steps` times."""
+        last = literals[-1]
+        for each in self.bias.lookaheads if steps else ():
+            if _is_behind(each, last):
+                for extended in self._following(each.followers, literals, last.args, types):
+                    yield extended
+                    yield from self._templated(extended, types, steps - 1)
+
+    def _following(
+        self, followers: tuple[Follower, ...], literals: Query, places: tuple[Term, ...], types: dict[Var, str]
+    ) -> Iterator[Query]:
+        if not followers:
+            yield literals
+            return
+        for literal in self._literals(followers[0], self._with_types(types, literals), places):
+            if literal not in literals:
+                yield from self._following(followers[1:], (*literals, literal), (*places, *literal.args), types)
 
     def _possible(self, types: dict[Var, str], new: frozenset[Var] = frozenset()) -> tuple[tuple[Literal, int], ...]:
         """What the modes allow behind these variables, with how many literals it may look ahead. With `new` ones, what
@@ -201,17 +226,23 @@ class Refiner:
         """Adds the existential variables with the types of the places that introduce them."""
         types = dict(types)
         for name, args in literals:
-            for arg, type_ in zip(args, self.bias.types.get(name, ()), strict=False):
+            for arg, type_ in zip(args, self.bias.types_of(name, len(args)) or (), strict=False):
                 if isinstance(arg, Var) and arg.index >= self.root_count:
                     types.setdefault(arg, type_)
         return types
 
-    def _literals(self, mode: Mode, types: dict[Var, str]) -> Iterator[Literal]:
-        """What one mode declaration allows; no literal takes a variable twice."""
+    def _literals(
+        self, mode: Mode | Follower, types: dict[Var, str], places: tuple[Term, ...] = ()
+    ) -> Iterator[Literal]:
+        """What one mode declaration allows, or a literal of a template, in which numbers are about `places`; no literal
+        takes a variable twice."""
         first = max([self.root_count - 1, *(var.index for var in types)]) + 1
         room = self.bias.max_variables - (first - self.root_count)
         choices: list[list[Term | None]] = []
         for arg in mode.args:
+            if isinstance(arg, int):
+                choices.append([places[arg]])
+                continue
             if arg.kind == "#":
                 choices.append(list(arg.constants))
                 continue
@@ -231,37 +262,20 @@ class Refiner:
                 warnings.warn(_cut_short(self.bias), stacklevel=2)
 
 
+def _is_behind(template: Lookahead, literal: Literal) -> bool:
+    return (literal.name, len(literal.args)) == (template.name, len(template.given)) and all(
+        given is None or (given == term and type(given) is type(term))
+        for given, term in zip(template.given, literal.args, strict=True)
+    )
+
+
 def _cut_short(bias: LanguageBias) -> str:
     most = bias.max_variables
     told = f"tests are left out, since max_variables is {most} unless given: give more, or {most} to stay with it"
     return str(Problem(bias.file, 0, 0, told))
 
 
-def _ranked(core: Query) -> tuple[Query, list[float]]:
-    """The query with the ranks of its thresholds in their place, and the thresholds by rank. Queries that differ in
-    thresholds alone have the same refinements but for these."""
-    thresholds = sorted({float(each.args[1]) for each in core if each.name in OPEN})  # type: ignore[arg-type]
-    if not thresholds:
-        return core, thresholds
-    ranks = {threshold: rank for rank, threshold in enumerate(thresholds)}
-    return tuple(
-        Literal(each.name, (each.args[0], ranks[each.args[1]])) if each.name in OPEN else each  # type: ignore[index]
-        for each in core
-    ), thresholds
-
-
 def _unranked(refinement: Refinement, thresholds: list[float]) -> Refinement:
-    """With the thresholds in place of their ranks, which are floats where the form of a query with equal thresholds was
-    remembered."""
-
-    def restored(query: Query) -> Query:
-        if not any(map(_is_closed, query)):
-            return query
-        return tuple(
-            Literal(each.name, (each.args[0], thresholds[int(each.args[1])]))  # type: ignore[arg-type]
-            if _is_closed(each)
-            else each
-            for each in query
-        )
-
-    return Refinement(refinement.literals, restored(refinement.test), restored(refinement.prefix))
+    """With the thresholds in place of their ranks."""
+    test, prefix = unranked(refinement.test, thresholds), unranked(refinement.prefix, thresholds)
+    return Refinement(refinement.literals, test, prefix)

@@ -89,7 +89,7 @@ def from_clause(head: list, body: list[list], value: float, bias: LanguageBias) 
             known = _is_finite(args[0]) or (not isinstance(args[0], list) and args[0] in terms)
             if not (known and _is_finite(args[1])):
                 raise ValueError(f"a bound is a variable from before, {name} and a finite number")
-        elif len(bias.types.get(name, ())) != len(args) or name not in bias.types:
+        elif bias.types_of(name, len(args)) is None:
             raise ValueError(f"{name}/{len(args)} is no declared predicate")
         query.append(Literal(name, read(name, args)))
     if not abs(value) <= sys.float_info.max:

@@ -34,7 +34,7 @@ def grown(
     members: np.ndarray,
     query: Query = (),
 ) -> Tree:
-    """Grows a tree of those examples of `coverage` that are `members`. `query` is the root's: it holds for all of them."""
+    """Grows a tree of those examples that are `members`. `query` is the root's: it holds for all of them."""
 
     def node(query: Query, members: np.ndarray, known: Known, depth: int) -> Tree:
         if depth == max_depth or criterion.is_pure(members):
