@@ -9,10 +9,10 @@ from pathlib import Path
 from nppg.bias.declarations import ANY, Template
 from nppg.bridge.terms import Ground
 from nppg.errors import NppgError, Problem
-from nppg.tilde.ace_constants import Constants, answers
-from nppg.tilde.ace_language import Language, own_type, type_declared
+from nppg.tilde.ace_constants import Constants
+from nppg.tilde.mode_terms import Language, own_type, type_declared
 from nppg.tilde.ace_settings import Given
-from nppg.tilde.constants import Facts
+from nppg.tilde.constants import Facts, answers
 from nppg.tilde.declared import askable, bias_of, looking_ahead
 from nppg.tilde.program import (
     Background,
@@ -40,6 +40,7 @@ class Model:
     """What stands between begin(model(Name)) and end(model(Name))."""
 
     name: str
+    file: str
     line: int
     facts: list[Ground] = field(default_factory=list)
     shares: dict[Ground, float] = field(default_factory=dict)  # of facts P::Fact
@@ -54,12 +55,12 @@ def read_ace(settings: Path, knowledge: Sequence[Path]) -> Task:
     clauses = [clause for path in knowledge for clause in conditional(read(path, OPERATORS), left_out)]
     models, shared = _models(clauses, left_out)
     types = given.types(map(type_declared, (clause.data for clause in given.terms.get("type", ()))))
-    theirs = {indicator(fact) for model in models for fact in model.facts}
     asked = {each for clause in given.language for each in _within(clause.data)}
+    examples = tuple(_from_models(given, models, grown.mode == REGRESS))
+    theirs = {indicator(fact) for each in examples for fact in each.facts}
     base = background(shared, asked, left_out, theirs)
     if models or given.load in ("models", "examples"):
         template, target, classes = Template("example", ()), "class", tuple(map(told, given.classes))
-        examples = tuple(_from_models(given, models, grown.mode == REGRESS, left_out))
         facts = base.facts
     else:
         predicted = _Predicted(given, types, settings)
@@ -69,7 +70,8 @@ def read_ace(settings: Path, knowledge: Sequence[Path]) -> Task:
     if not examples:
         where = " and ".join(map(str, knowledge)) or str(settings.parent)
         raise NppgError([Problem(str(settings), 0, 0, f"there is no example in {where}")])
-    language = Language(types, Constants(given, base, models, examples), left_out)
+    every = Facts([*base.facts, *(fact for each in examples for fact in each.facts)], base.rules)
+    language = Language(types, Constants(given, base, every, examples), left_out)
     for clause in given.language:
         language.declare(clause)
     most = given.whole("max_lookahead", 1)
@@ -112,7 +114,7 @@ def _models(clauses: Iterable[Clause], left_out: list[Problem]) -> tuple[list[Mo
         if word == ("begin", 1) and indicator(name) in (("model", 1), ("example", 1)):
             if inside:
                 raise NppgError([clause.problem(f"the model {inside.name} of line {inside.line} has not ended")])
-            inside = Model(told(arguments(name)[0]), clause.line)
+            inside = Model(told(arguments(name)[0]), clause.file, clause.line)
             models.append(inside)
         elif word == ("end", 1) and inside:
             inside = None
@@ -131,11 +133,11 @@ def _models(clauses: Iterable[Clause], left_out: list[Problem]) -> tuple[list[Mo
         else:
             left_out.append(clause.problem(f"a model consists of facts: {told(clause.data)} is left out"))
     if inside:
-        raise NppgError([Problem(shared[-1].file if shared else "", inside.line, 0, f"the model {inside.name} does not end: end(model({inside.name})). is missing")])
+        raise NppgError([Problem(inside.file, inside.line, 0, f"the model {inside.name} does not end: end(model({inside.name})). is missing")])
     return models, shared
 
 
-def _from_models(given: Given, models: list[Model], is_number: bool, left_out: list[Problem]) -> Iterator[Example]:
+def _from_models(given: Given, models: list[Model], is_number: bool) -> Iterator[Example]:
     """A model's target is the class that is one of its facts, or what a pattern of the settings says."""
     pattern, wanted = _pattern(given)
     classes = given.classes or _DEFAULT_CLASSES
@@ -157,7 +159,7 @@ def _from_models(given: Given, models: list[Model], is_number: bool, left_out: l
                 found = [max(weighed, key=model.shares.__getitem__)]
             if len(found) > 1:
                 names = " and ".join(map(told, found))
-                raise NppgError([given.problem(f"the model {model.name} of line {model.line} has the classes {names}")])
+                raise NppgError([Problem(model.file, model.line, 0, f"the model {model.name} has two classes, {names}")])
             facts = [fact for fact in facts if fact not in classes]
             target = told(found[0]) if found else None
         yield Example((), target, tuple(facts), line=model.line, name=model.name)
@@ -247,7 +249,7 @@ class _Predicted:
             for arg, type_ in zip(arguments(goal), declared, strict=True):
                 if is_variable(arg) and arg not in variables:
                     types.setdefault(arg[1], type_)  # type: ignore[index, arg-type]
-        if any(indicator(goal) in rules for goal in goals):
+        if any(indicator(goal) in base.rules for goal in goals):
             left_out.append(clause.problem("the root is left out: it is asked of facts, and this one of rules"))
             return examples, ()
         facts, found, lost = Facts(base.facts), [], 0

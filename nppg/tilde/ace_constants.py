@@ -4,30 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nppg.bias.declarations import Template
 from nppg.bridge.terms import Ground
-from nppg.errors import NppgError
-from nppg.tilde.ace_language import Unsupported
+from nppg.tilde.mode_terms import Unsupported
 from nppg.tilde.ace_settings import Given
-from nppg.tilde.constants import Bound, Facts, Rules, equal_frequency, least_entropy
-from nppg.tilde.declared import bias_of
-from nppg.tilde.knowledge import Knowledge
-from nppg.tilde.program import Background, Clause, Indicator, arguments, canonical, elements, indicator, is_variable, parts, told
-from nppg.tilde.task import Example, Task
+from nppg.tilde.constants import Facts, Rules, answers, equal_frequency, least_entropy
+from nppg.tilde.program import Background, Clause, Indicator, arguments, elements, indicator, is_variable, parts, told
+from nppg.tilde.task import Example
 
 _THRESHOLDS = {("threshold", 3), ("discretized", 3), ("boundary", 3)}
 _MOST_THRESHOLDS = 10  # where the settings do not say how many
-_HELPER = "generated constants"
-
-
-def answers(base: Background, goals: Sequence[Ground], variables: Sequence[Ground]) -> list[tuple[Ground, ...]]:
-    """What the variables stand for in the goals' answers, each once, sorted as Prolog does; asked once the background has
-    been passed by the gate."""
-    body = ", ".join(map(canonical, goals))
-    helper = f"{canonical((_HELPER, *variables))} :- {body}.\n"
-    bias = bias_of("", Template("example", ()), {}, (), (), 0)
-    task = Task("constants", bias, (), base.facts, base.text + helper)
-    return Knowledge(task).solutions(_HELPER, len(variables))
 
 
 class Constants:

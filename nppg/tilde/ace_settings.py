@@ -1,4 +1,4 @@
-"""What ACE's settings say, but for the language: see ace_language.py."""
+"""What ACE's settings say, but for the language: see mode_terms.py."""
 
 from __future__ import annotations
 
@@ -46,6 +46,8 @@ class Given:
                 self.values[name] = clause
             elif name in _TERMS:
                 self.terms.setdefault(name, []).append(clause)
+            elif (name, arguments(clause.data)) in (("sampling_strategy", ("none",)), ("discretization", ("none",))):
+                continue
             elif name not in _SILENT:
                 self._aside(clause, f"is no setting that nppg knows{suggestion(name, known)}")
             elif name == "leave_out" and arguments(clause.data) != ("false",):

@@ -4,11 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 
+from nppg.bias.declarations import Template
 from nppg.bridge.terms import Ground
-from nppg.tilde.program import Indicator, arguments, elements, indicator, is_variable, match
+from nppg.tilde.declared import bias_of
+from nppg.tilde.knowledge import Knowledge
+from nppg.tilde.program import Background, Indicator, arguments, canonical, elements, indicator, is_variable, match
+from nppg.tilde.task import Task
+
+_HELPER = "generated constants"
 
 Bound = dict[int, Ground]  # what variables stand for
 
@@ -59,6 +66,18 @@ class Facts:
                 index.setdefault(arguments(fact)[0], []).append(fact)
             self._first[predicate] = index
         return self._first[predicate].get(first, [])
+
+
+def answers(
+    base: Background, goals: Sequence[Ground], variables: Sequence[Ground], facts: Sequence[Ground] = ()
+) -> list[tuple[Ground, ...]]:
+    """What the variables stand for in the goals' answers, each once, sorted as Prolog does; asked once the background has
+    been passed by the gate."""
+    body = ", ".join(map(canonical, goals))
+    helper = f"{canonical((_HELPER, *variables))} :- {body}.\n"
+    bias = bias_of(Path(), Template("example", ()), {}, (), (), 0)
+    task = Task("constants", bias, (), (*base.facts, *facts), base.text + helper)
+    return Knowledge(task).solutions(_HELPER, len(variables))
 
 
 def equal_frequency(values: Sequence[float], most: int) -> list[float]:

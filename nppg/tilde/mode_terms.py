@@ -1,4 +1,4 @@
-"""The language of ACE's settings files: type, rmode, warmode, lookahead, auto_lookahead, generators of constants."""
+"""Modes as terms of Prolog have them, ACE's and Aleph's: rmode, warmode, modeb, lookahead, generators of constants."""
 
 from __future__ import annotations
 
@@ -32,9 +32,11 @@ class Language:
     modes: list[Mode] = field(default_factory=list)
     lookaheads: list[Lookahead] = field(default_factory=list)
     looking: dict[Indicator, int] = field(default_factory=dict)  # auto_lookahead
+    clause: Clause | None = None  # the one that is being taken
 
     def declare(self, clause: Clause) -> None:
         """Takes an rmode, warmode, lookahead or auto_lookahead; what cannot be carried over is told."""
+        self.clause = clause
         try:
             name, args = indicator(clause.data)[0], arguments(clause.data)
             if name in ("rmode", "warmode"):
@@ -143,21 +145,28 @@ class Language:
         name, args = indicator(arg)[0], arguments(arg)
         if is_variable(arg):
             if arg[1] in chosen:  # type: ignore[index]
-                return Argument("#", type_, tuple(dict.fromkeys(map(_constant, chosen[arg[1]]))))  # type: ignore[index]
+                return Argument("#", type_, self._constants(chosen[arg[1]]))  # type: ignore[index]
             return Argument("-", type_)
         if name in _MODES and not args:
             return Argument(_MODES[name], type_)
         if name in _MODES and len(args) == 1:
             inner = args[0]
             if name == "#" and (listed := elements(inner)) is not None:
-                return Argument("#", type_, tuple(dict.fromkeys(map(_constant, listed))))
+                return Argument("#", type_, self._constants(listed))
             if isinstance(inner, tuple) and indicator(inner)[0] in _MODES and not is_variable(inner):  # + - X
                 both = {name, indicator(inner)[0]}
                 return Argument("#" if "#" in both else "+-" if both == {"+", "-"} else _MODES[name], type_)
             if is_variable(inner) and inner[1] in chosen:  # type: ignore[index]
-                return Argument("#", type_, tuple(dict.fromkeys(map(_constant, chosen[inner[1]]))))  # type: ignore[index]
+                return Argument("#", type_, self._constants(chosen[inner[1]]))  # type: ignore[index]
             return Argument(_MODES[name], type_)
         return Argument("#", type_, (_constant(arg),))
+
+    def _constants(self, data: list[Ground]) -> tuple[Constant, ...]:
+        """Those among the terms; others are told."""
+        others = [each for each in data if isinstance(each, tuple)]
+        if others and self.clause:
+            self.left_out.append(self.clause.problem(f"the constant {told(others[0])} is left out: it is a compound term"))
+        return tuple(dict.fromkeys(constant(each) for each in data if not isinstance(each, tuple)))
 
     def _spread(self, mode: Mode, clause: Clause) -> list[Mode]:
         """Equality is between variables of one type each: a mode for every type, where none is given."""
