@@ -7,7 +7,6 @@ clauses too, is put together from them.
 
 from __future__ import annotations
 
-import re
 import tempfile
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
@@ -58,6 +57,7 @@ class Knowledge:
                 self._names[kind, each] = name
                 header.append(f":- {kind} {written(name)}/{each[1]}.")
                 links += [_link(each, name)] if apart else []
+        header += [f":- discontiguous {written(name)}/{arity}." for name, arity in sorted(by_clauses)]
         missing = sorted({*known} - {*given} - {*by_clauses})
         header += [f":- fluent {written(name)}/{arity}." for name, arity in missing]
         self.domain = self._load(" ".join(header) + " " + task.background + "\n" + "\n".join(links) + "\n")
@@ -73,7 +73,8 @@ class Knowledge:
                 file = self.task.background_file or "the background knowledge"
                 own = str(path)
                 raise NppgError(
-                    replace(each, file=file) if each.file == own else each for each in error.problems
+                    replace(each, file=each.file.replace(own, file), message=each.message.replace(own, file))
+                    for each in error.problems
                 ) from None
         domain.path = Path(self.task.background_file or path.name)
         return domain
@@ -130,7 +131,8 @@ class Knowledge:
 
         modes = tuple(completed(each) for each in bias.modes)
         lookaheads = tuple(
-            Lookahead(each.name, each.given, tuple(map(completed, each.followers)), each.line) for each in bias.lookaheads
+            Lookahead(each.name, each.given, tuple(map(completed, each.followers)), each.line)
+            for each in bias.lookaheads
         )
         return replace(bias, modes=modes, lookaheads=lookaheads)
 
@@ -151,7 +153,8 @@ class Knowledge:
 
 def _defined(background: str) -> set[Indicator]:
     """The predicates that a text of Prolog has clauses of."""
-    return {(name, arity) for name, arity in ask("defined_in", background)} if background.strip() else set()
+    rows = ask("source", background, []) if background.strip() else []
+    return {indicator(ground(head)) for _, kind, head, *_ in rows if kind in ("fact", "rule")}
 
 
 def _link(each: Indicator, name: str) -> str:

@@ -173,12 +173,22 @@ def best_gain(
     allowed = ((n1 >= least) & (n1 <= count - least) & (w1 > 0) & (w0 > 0)).nonzero()[0]
     if not len(allowed):
         return None
-    s1, w1, w0 = s1.take(allowed), w1.take(allowed), w0.take(allowed)
-    gain = s1**2 / w1 + (total - s1) ** 2 / w0
-    gain -= total**2 / (whole + regularisation)
-    top = float(gain.max())
-    best = int((gain >= top - _TIE * abs(top)).argmax())
+    gain = gains(s1.take(allowed), total, w1.take(allowed), w0.take(allowed), whole + regularisation)
+    best = first_best(gain)
     return int(allowed[best]), float(gain[best])
+
+
+def gains(s1: np.ndarray, total: float, w1: np.ndarray, w0: np.ndarray, whole: float) -> np.ndarray:
+    """Of splits, s1^2 / w1 + s0^2 / w0 - s^2 / w."""
+    gain = s1**2 / w1 + (total - s1) ** 2 / w0
+    gain -= total**2 / whole
+    return gain
+
+
+def first_best(gain: np.ndarray) -> int:
+    """The first of the splits whose gain counts as the largest."""
+    top = float(gain.max())
+    return int((gain >= top - _TIE * abs(top)).argmax())
 
 
 def _variance(values: np.ndarray) -> float:

@@ -15,10 +15,12 @@ from nppg.logic.query import Query
 
 @dataclass(frozen=True, slots=True)
 class Leaf:
-    """A predicted value, and how many examples it is the mean of (0 where that is not known)."""
+    """A predicted value, and how many examples it is the mean of (0 where that is not known). A leaf of classes has the
+    number of its class for a value and the weight of each in `values`, one of several targets their means."""
 
     value: float
     examples: int = 0
+    values: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

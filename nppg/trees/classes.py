@@ -1,0 +1,62 @@
+"""Classification trees: splits by information gain, or by its ratio to the information of the split (Quinlan 1993)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from nppg.trees.splits import Split, Splits
+from nppg.trees.tilde import first_best
+from nppg.trees.tree import Leaf
+
+_GAIN = 1e-9  # bits: less is no gain but rounding
+
+
+@dataclass(frozen=True, slots=True)
+class Classes:
+    """The criterion of examples that belong to classes."""
+
+    labels: np.ndarray  # the number of each example's class
+    weights: np.ndarray
+    count: int  # of classes
+    is_ratio: bool  # whether gains are divided by the information of the split
+    least: int  # examples of each branch
+    granularity: int = 0
+
+    def is_pure(self, members: np.ndarray) -> bool:
+        labels = self.labels[members]
+        return len(labels) < 2 * self.least or not (labels != labels[0]).any()
+
+    def best(self, answers: np.ndarray, members: np.ndarray) -> Split | None:
+        splits = Splits(answers, self.granularity)
+        labels, weights = self.labels[members], self.weights[members]
+        covered = np.stack([splits.sums(np.where(labels == each, weights, 0.0)) for each in range(self.count)])
+        n1 = splits.counts()
+        allowed = ((n1 >= self.least) & (n1 <= len(members) - self.least)).nonzero()[0]
+        if not len(allowed):
+            return None
+        whole, covered = self._sums(members), covered[:, allowed]
+        others = np.maximum(whole[:, None] - covered, 0.0)
+        size = whole.sum()
+        rest = (covered.sum(axis=0) * entropy(covered) + others.sum(axis=0) * entropy(others)) / size
+        gain = float(entropy(whole[:, None])[0]) - rest
+        if self.is_ratio:
+            parts = np.stack([covered.sum(axis=0), others.sum(axis=0)])
+            gain = np.where(gain > _GAIN, gain / np.maximum(entropy(parts), _GAIN), 0.0)
+        best = first_best(gain)
+        return splits[int(allowed[best])] if gain[best] > _GAIN else None
+
+    def leaf(self, members: np.ndarray) -> Leaf:
+        sums = self._sums(members)
+        return Leaf(float(sums.argmax()), len(members), tuple(sums.tolist()))
+
+    def _sums(self, members: np.ndarray) -> np.ndarray:
+        """The weight of each class."""
+        return np.bincount(self.labels[members], self.weights[members], self.count)
+
+
+def entropy(weights: np.ndarray) -> np.ndarray:
+    """Of each column of weights of classes, in bits."""
+    shares = weights / np.maximum(weights.sum(axis=0), np.finfo(float).tiny)
+    return -(shares * np.log2(np.where(shares > 0, shares, 1.0))).sum(axis=0)
