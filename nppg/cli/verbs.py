@@ -16,6 +16,7 @@ VERBS = {
     "doctor": "look whether everything that nppg needs is there",
     "new": "write a commented domain and language bias to start from",
     "import": "write a domain, its language bias and its problems from PDDL",
+    "convert": "write a data set of ACE or Aleph as nppg has it",
     "features": "derive predicates that a policy may want to test in a domain",
     "check": "report every mistake in a domain and its language bias",
     "train": "learn a policy",

@@ -9,10 +9,11 @@ from itertools import count
 from nppg.bias.declarations import ANY, Argument, Follower, Lookahead, Mode
 from nppg.bridge.terms import Ground
 from nppg.errors import Problem
-from nppg.logic.query import Constant, constant
+from nppg.logic.query import OPEN, Constant, constant
 from nppg.tilde.program import Clause, Indicator, arguments, elements, indicator, is_variable, parts, told
 
 _MODES = {"+": "+", "-": "-", "+-": "+-", "#": "#", "-#": "#", "+#": "#", "+-#": "#", "+\\": "+", "-\\": "-"}
+_BOUNDS = {(name, 2) for name in OPEN}
 _MOST_MODES = 2000  # of one generator of several constants at once
 
 Constants = Callable[[Ground, Ground, Clause], list[tuple[Ground, ...]]]  # variables, generator: their values
@@ -90,6 +91,12 @@ class Language:
         names = {indicator(each)[0] for each in literals} & {"\\+", "not", ";", "->"}
         if names:
             raise Unsupported(f"{names.pop()} is not tested")
+        if indicator(first) in _BOUNDS and arguments(first)[1] == "#":
+            name, (bounded, _) = indicator(first)[0], arguments(first)
+            type_ = own_type(bounded)
+            bound = Mode(name, (Argument("+", type_), Argument("#", type_, (OPEN[name],))), 0, clause.line, 0, recall)
+            self.modes += [] if bound in self.modes else [bound]
+            return
         args = [self._argument(arg, type_, chosen) for arg, type_ in self._typed(first)]
         for mode in self._spread(Mode(indicator(first)[0], tuple(args), 0, clause.line, 0, recall), clause):
             if mode not in self.modes:
@@ -149,6 +156,8 @@ class Language:
             return Argument("-", type_)
         if name in _MODES and not args:
             return Argument(_MODES[name], type_)
+        if (several := elements(arg)) is not None:
+            return Argument("#", type_, self._constants(several))
         if name in _MODES and len(args) == 1:
             inner = args[0]
             if name == "#" and (listed := elements(inner)) is not None:

@@ -125,7 +125,7 @@ def _read(
     seen: set[Path],
 ) -> None:
     seen.add(path.resolve())
-    for line, kind, data, *more in ask("source", _text(path), [list(each) for each in operators]):
+    for line, kind, data, *more in ask("source", read_text(path), [list(each) for each in operators]):
         if kind == "error":
             problems.append(Problem(str(path), line, 0, data))
             continue
@@ -144,8 +144,8 @@ def _read(
                 _read(each, folder, operators, clauses, problems, seen)
 
 
-def _text(path: Path) -> str:
-    """Old files are in Latin 1, or end their lines as Windows does."""
+def read_text(path: Path) -> str:
+    """That of a file. Old files are in Latin 1, or end their lines as Windows does."""
     try:
         source = path.read_bytes()
     except OSError as error:

@@ -1,0 +1,86 @@
+"""Finds out what format a data set is in, and reads it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from nppg.errors import NppgError, Problem, suggestion
+from nppg.tilde.ace import read_ace
+from nppg.tilde.aleph import read_aleph
+from nppg.tilde.own import read_own
+from nppg.tilde.task import Task
+
+_MAIN = (".yaml", ".s", ".b", ".pl")  # the file that says what is learned: nppg's, ACE's, Aleph's
+_BESIDE = {".s": (".kb", ".bg"), ".b": (".f", ".n")}
+_SECTIONS = ("begin_in_pos", "aleph")
+
+
+def read_task(sources: Sequence[str | Path]) -> Task:
+    """The task of a folder, of a file without its ending, or of files. Raises NppgError for what is wrong with them, and
+    where there are several tasks."""
+    paths = [Path(each) for each in sources]
+    main, beside = _single(paths[0]) if len(paths) == 1 else _several(paths)
+    if main.suffix == ".yaml":
+        return read_own(main)
+    if main.suffix == ".s":
+        return read_ace(main, [path for suffix in _BESIDE[".s"] for path in beside if path.suffix == suffix])
+    found = {path.suffix: path for path in beside}
+    return read_aleph(main, found.get(".f"), found.get(".n"))
+
+
+def _single(path: Path) -> tuple[Path, list[Path]]:
+    if path.is_dir():
+        mains = sorted(each for each in path.iterdir() if _is_main(each))
+        if len(mains) > 1:
+            names = ", ".join(str(each.with_suffix("")) for each in mains)
+            raise NppgError([Problem(str(path), 0, 0, f"there are several data sets: name one of {names}")])
+        if not mains:
+            message = "there is no data set: ACE's is a .s file, Aleph's a .b or .pl file, nppg's a .yaml file"
+            raise NppgError([Problem(str(path), 0, 0, message)])
+        return mains[0], _files_beside(mains[0])
+    if not path.is_file() or path.suffix in (".kb", ".bg", ".f", ".n"):
+        stem = path.with_suffix("") if path.is_file() else path
+        mains = [main for suffix in _MAIN if (main := stem.parent / f"{stem.name}{suffix}").is_file()]
+        if not mains:
+            near = path.parent.iterdir() if path.parent.is_dir() else ()
+            hint = suggestion(path.name, [name for each in near for name in (each.name, each.stem)])
+            what = "belongs to no .s, .b or .yaml file" if path.is_file() else "no such file"
+            raise NppgError([Problem(str(path), 0, 0, f"{what}{hint}")])
+        path = mains[0]
+    if path.suffix not in _MAIN:
+        message = "is no data set that nppg reads: ACE's is a .s file, Aleph's a .b or .pl file, nppg's a .yaml file"
+        raise NppgError([Problem(str(path), 0, 0, message)])
+    return path, _files_beside(path)
+
+
+def _is_main(path: Path) -> bool:
+    if path.suffix == ".pl":
+        text = path.read_text(encoding="utf-8", errors="replace")
+        return all(word in text for word in _SECTIONS)
+    return path.suffix in _MAIN and path.is_file()
+
+
+def _files_beside(main: Path) -> list[Path]:
+    """Those of the same name; for ACE, where there are none, all of the folder if there is no other data set."""
+    suffixes = _BESIDE.get(main.suffix, ())
+    found = [path for suffix in suffixes if (path := main.with_suffix(suffix)).is_file()]
+    if not found and main.suffix == ".s" and len(list(main.parent.glob("*.s"))) == 1:
+        found = sorted(path for path in main.parent.iterdir() if path.suffix in suffixes)
+    return found
+
+
+def _several(paths: Sequence[Path]) -> tuple[Path, list[Path]]:
+    if not paths:
+        raise NppgError("no data is given: name a folder or files")
+    missing = [Problem(str(path), 0, 0, "no such file") for path in paths if not path.is_file()]
+    if missing:
+        raise NppgError(missing)
+    mains = [path for path in paths if path.suffix in _MAIN]
+    if len(mains) != 1:
+        what = "there is no file that says what is learned" if not mains else f"{mains[0]} and {mains[1]} are two data sets"
+        raise NppgError(f"{what}: ACE has one .s file, Aleph one .b file, nppg one .yaml file")
+    wrong = [path for path in paths if path != mains[0] and path.suffix not in _BESIDE.get(mains[0].suffix, ())]
+    if wrong:
+        raise NppgError(Problem(str(path), 0, 0, f"does not belong to {mains[0]}") for path in wrong)
+    return mains[0], [path for path in paths if path != mains[0]]
