@@ -112,6 +112,9 @@ source(Text, Operators, Rows) :-
 unchangeable(Indicators, Those) :-
     built_in(Indicators, Those).
 
+harmless_built_in(Indicators, Those) :-
+    pure_ones(Indicators, Those).
+
 %!  taken(+Name, +Arity, -Truth) is det: whether a predicate of this name is not a domain file's to define.
 
 taken(Name, Arity, Truth) :-

@@ -1,6 +1,7 @@
 :- module(nppg_source,
           [ read_source/3,       % +Text, +Operators, -Rows      det
-            built_in/2           % +Indicators, -Those           det
+            built_in/2,          % +Indicators, -Those           det
+            pure_ones/2          % +Indicators, -Those           det
           ]).
 
 :- use_module(library(lists), [append/3, member/2, memberchk/2]).
@@ -176,4 +177,13 @@ built_in(Indicators, Those) :-
             ( member([Name, Arity], Indicators),
               functor(Head, Name, Arity),
               once(( predicate_property(system:Head, iso) ; memberchk(Name/Arity, [(:)/2, (-->)/2, (=>)/2, (?-)/1]) )) ),
+            Those).
+
+%!  pure_ones(+Indicators, -Those) is det.
+%
+%   Those of the predicates [Name, Arity] that Prolog has and every program may ask.
+
+pure_ones(Indicators, Those) :-
+    findall([Name, Arity],
+            ( member([Name, Arity], Indicators), functor(Head, Name, Arity), kind(Head, Kind), Kind == pure ),
             Those).

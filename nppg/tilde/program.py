@@ -14,6 +14,7 @@ from nppg.errors import NppgError, Problem
 
 Indicator = tuple[str, int]
 
+_LONG = 100  # characters of a term in a message
 _MOST = 50  # mistakes that are told of one file
 _INCLUDES = {("consult", 1), ("reconsult", 1), ("ensure_loaded", 1), ("include", 1), ("[|]", 2)}
 _SILENT = {"op", "style_check", "multifile", "discontiguous"}  # of no meaning once the program is read
@@ -71,7 +72,12 @@ def parts(data: Ground, name: str = ",") -> list[Ground]:
 
 
 def told(data: Ground) -> str:
-    """A term as people write it."""
+    """A term as people write it, cut short where it is long."""
+    text = _told(data)
+    return text if len(text) <= _LONG else f"{text[: _LONG - 3]}..."
+
+
+def _told(data: Ground) -> str:
     if not isinstance(data, tuple):
         return written(data) if isinstance(data, str) and (is_name(data) or data[:1].isalnum()) else str(data)
     if is_variable(data):
@@ -79,13 +85,25 @@ def told(data: Ground) -> str:
         return chr(ord("A") + number % 26) + (str(number // 26) if number >= 26 else "")
     items = elements(data)
     if items is not None:
-        return f"[{', '.join(map(told, items))}]"
-    name, args = data[0], [told(each) for each in data[1:]]
+        return f"[{', '.join(map(_told, items))}]"
+    name, args = data[0], [_told(each) for each in data[1:]]
     if len(args) == 2 and not is_name(name):
         return f"{args[0]}{name}{args[1]}"
     if len(args) == 1 and not is_name(name):
         return f"{name}{args[0]}"
-    return f"{told(name)}({', '.join(args)})"
+    return f"{_told(name)}({', '.join(args)})"
+
+
+def canonical(data: Ground) -> str:
+    """A term as Prolog reads it, whatever the operators."""
+    if not isinstance(data, tuple):
+        return written(data)
+    if is_variable(data):
+        return f"V{data[1]}"
+    items = elements(data)
+    if items is not None:
+        return f"[{', '.join(map(canonical, items))}]"
+    return f"{written(data[0])}({', '.join(map(canonical, data[1:]))})"
 
 
 def read(path: Path, operators: Sequence[tuple[int, str, str]] = ()) -> list[Clause]:
@@ -127,7 +145,7 @@ def _read(
 
 
 def _text(path: Path) -> str:
-    """Old files are in Latin 1."""
+    """Old files are in Latin 1, or end their lines as Windows does."""
     try:
         source = path.read_bytes()
     except OSError as error:
@@ -136,6 +154,7 @@ def _text(path: Path) -> str:
         text = source.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = source.decode("latin-1")
+    text = text.replace("\r\n", "\n")
     bounded(text.encode(), str(path), DATA)
     return text
 
@@ -211,6 +230,7 @@ class Background:
     facts: tuple[Ground, ...]
     text: str
     defined: frozenset[Indicator]
+    rules: frozenset[Indicator]  # predicates that the text defines
     missing: dict[Indicator, str]  # predicates that are left out, and why
 
 
@@ -265,7 +285,7 @@ def background(
     as_text = iter(ask("texts", [clause.data for clause in mixed if clause.kind == "fact"]))
     lines += [clause.text if clause.kind == "rule" else f"{next(as_text)}.\n" for clause in mixed]
     facts = tuple(clause.data for clause in kept if indicator(clause.data) not in rules)
-    return Background(facts, "".join(lines), frozenset(defined | dynamic) - missing.keys(), missing)
+    return Background(facts, "".join(lines), frozenset(defined | dynamic) - missing.keys(), frozenset(rules), missing)
 
 
 def _reached(asked: Iterable[Indicator], rules: Mapping[Indicator, list[Clause]]) -> set[Indicator]:
