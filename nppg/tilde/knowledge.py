@@ -119,7 +119,7 @@ class Knowledge:
         return [(name, *each.key) if each.key else name for each in examples]
 
     def solutions(self, name: str, arity: int, example: Example | None = None) -> list[tuple[Ground, ...]]:
-        """All answers of a predicate, asked with all arguments free, in order, of what holds for one example, or for all.
+        """All answers of a predicate, asked with all arguments free, in order: of what holds for one example, or all.
         Raises NppgError where it cannot be asked so."""
         (state,) = self.states([example or Example()])
         self.domain.visit(state)
@@ -143,11 +143,9 @@ class Knowledge:
             bias,
             modes=tuple(replace(each, args=completed(each.name, each.args)) for each in bias.modes),
             lookaheads=tuple(
-                replace(
-                    template,
-                    followers=tuple(Follower(each.name, completed(each.name, each.args)) for each in template.followers),
-                )
+                replace(template, followers=tuple(Follower(name, completed(name, args)) for name, args in parts))
                 for template in bias.lookaheads
+                if (parts := [(each.name, each.args) for each in template.followers])
             ),
         )
 
