@@ -1,4 +1,4 @@
-"""What was learned, for people: trees in ACE's compact notation, ordered rules in Prolog, a table of who is taken for what."""
+"""What was learned, for people: trees in ACE's compact notation, ordered rules in Prolog, tables of errors."""
 
 from __future__ import annotations
 
@@ -82,14 +82,13 @@ def confusion(truth: np.ndarray, said: np.ndarray, classes: Sequence[Hashable]) 
     width = max(len(str(cells.max())), *map(len, names)) + 2
     first = max(len("is \\ said"), *map(len, names))
     lines = ["is \\ said".ljust(first) + "".join(name.rjust(width) for name in names)]
-    lines += [
-        name.ljust(first) + "".join(str(cell).rjust(width) for cell in row) for name, row in zip(names, cells, strict=True)
-    ]
+    for name, row in zip(names, cells, strict=True):
+        lines.append(name.ljust(first) + "".join(str(cell).rjust(width) for cell in row))
     return "\n".join(lines)
 
 
 def errors_text(truth: np.ndarray, said: np.ndarray) -> str:
-    """The errors of numbers, shape (examples, targets), for each target: root mean square, mean absolute, R2, Pearson's r."""
+    """The errors of numbers, shape (examples, targets), for each target."""
     lines = []
     for k, (own, other) in enumerate(zip(truth.T, said.T, strict=True), 1):
         off = own - other

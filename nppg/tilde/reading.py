@@ -20,7 +20,7 @@ def read_task(paths: Sequence[str | Path]) -> Task:
     heads = [each for each in files if each.suffix in _KINDS]
     if len(heads) != 1:
         names = ", ".join(map(str, heads))
-        what = f"there are several tasks, name one: {names}" if heads else "there is no file of settings (.s, .b, .yaml)"
+        what = f"there are several tasks, name one: {names}" if heads else "there is no file .s, .b or .yaml"
         raise NppgError([Problem(" ".join(map(str, paths)), 0, 0, what)])
     (head,) = heads
     kind = _KINDS[head.suffix]
