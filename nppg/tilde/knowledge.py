@@ -13,19 +13,21 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
+from typing import TypeVar
 
-from nppg.bias.declarations import Argument, Follower, Lookahead, Mode
+from nppg.bias.declarations import Argument, Follower
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.names import written
 from nppg.bridge.prolog import ask
 from nppg.bridge.terms import Ground, ground, plain
-from nppg.errors import NppgError, Problem
+from nppg.errors import NppgError
 from nppg.logic.query import OPEN, Constant, constant
 from nppg.tilde.task import Example, Task
 from nppg.worlds.domain import Domain
 from nppg.worlds.state import Interpretation, Static, standard_order
 
 Indicator = tuple[str, int]
+_Arg = TypeVar("_Arg", bound="int | Argument")
 
 _NAME = "background"
 
@@ -48,7 +50,7 @@ class Knowledge:
         for kind, indicators in (("static", shared), ("fluent", own)):
             for each in sorted(indicators):
                 given[each].append(kind)
-        self._names: dict[tuple[str, Indicator], str] = {}
+        self._names: dict[tuple[str, Indicator], str] = {}  # under which facts are kept, by how they are given
         header, links = [f":- module({_NAME}, []). :- background."], []
         for each, kinds in given.items():
             apart = len(kinds) > 1 or each in by_clauses
@@ -91,7 +93,15 @@ class Knowledge:
     @cached_property
     def predicates(self) -> set[Indicator]:
         """All that a test may be about."""
-        return {*self.domain.predicates, *self.domain.fluents, *self.domain.static}
+        found = {*self.domain.predicates, *self.domain.fluents, *self.domain.static}
+        return found - {(name, own[1]) for (_, own), name in self._names.items() if name != own[0]}
+
+    @staticmethod
+    def asked(bias: LanguageBias) -> tuple[Indicator, ...]:
+        """The predicates that the tests of a bias are about."""
+        found = {(mode.name, len(mode.args)) for mode in bias.modes}
+        found |= {(each.name, len(each.args)) for lookahead in bias.lookaheads for each in lookahead.followers}
+        return tuple(sorted(each for each in found if each[0] not in ("=", *OPEN)))
 
     def states(self, examples: Sequence[Example]) -> list[Interpretation]:
         """In which each example's tests are asked; those without facts of their own share one."""
@@ -109,7 +119,7 @@ class Knowledge:
         return [(name, *each.key) if each.key else name for each in examples]
 
     def solutions(self, name: str, arity: int, example: Example | None = None) -> list[tuple[Ground, ...]]:
-        """All answers of a predicate, asked with all arguments free, in order: of what holds for all examples, or for one.
+        """All answers of a predicate, asked with all arguments free, in order: of what holds for one example, or all.
         Raises NppgError where it cannot be asked so."""
         (state,) = self.states([example or Example()])
         self.domain.visit(state)
@@ -119,22 +129,25 @@ class Knowledge:
         """The bias with the constants that the data has in place of `#` without any."""
         found: dict[tuple[str, int, int], tuple[Constant, ...]] = {}
 
-        def completed(item: Mode | Follower) -> Mode | Follower:
-            args = list(item.args)
-            for i, arg in enumerate(args):
-                if isinstance(arg, Argument) and arg.kind == "#" and not arg.constants and item.name not in OPEN:
-                    place = item.name, len(args), i
+        def completed(name: str, args: tuple[_Arg, ...]) -> tuple[_Arg, ...]:
+            own = list(args)
+            for i, arg in enumerate(own):
+                if isinstance(arg, Argument) and arg.kind == "#" and not arg.constants and name not in OPEN:
+                    place = name, len(own), i
                     if place not in found:
                         found[place] = self._constants(*place)
-                    args[i] = replace(arg, constants=found[place])
-            return replace(item, args=tuple(args))
+                    own[i] = replace(arg, constants=found[place])
+            return tuple(own)
 
-        modes = tuple(completed(each) for each in bias.modes)
-        lookaheads = tuple(
-            Lookahead(each.name, each.given, tuple(map(completed, each.followers)), each.line)
-            for each in bias.lookaheads
+        return replace(
+            bias,
+            modes=tuple(replace(each, args=completed(each.name, each.args)) for each in bias.modes),
+            lookaheads=tuple(
+                replace(template, followers=tuple(Follower(name, completed(name, args)) for name, args in parts))
+                for template in bias.lookaheads
+                if (parts := [(each.name, each.args) for each in template.followers])
+            ),
         )
-        return replace(bias, modes=modes, lookaheads=lookaheads)
 
     def _constants(self, name: str, arity: int, place: int) -> tuple[Constant, ...]:
         """What stands in a place of the answers of a predicate, over all examples."""
@@ -146,7 +159,7 @@ class Knowledge:
         ):
             values = {fact[1 + place] for fact in facts if isinstance(fact, tuple) and indicator(fact) == (name, arity)}
         else:
-            examples = [each for each in self.task.examples if each.facts] or [None]
+            examples = [each for each in self.task.examples if each.facts] or [Example()]
             values = {answer[place] for each in examples for answer in self.solutions(name, arity, each)}
         return tuple(constant(each) for each in sorted(values, key=standard_order) if not isinstance(each, tuple))
 

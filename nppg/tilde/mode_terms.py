@@ -85,7 +85,7 @@ class Language:
     def _conjunction(self, data: Ground, recall: int, clause: Clause, chosen: Mapping[int, list[Ground]]) -> None:
         literals = parts(data)
         for literal in literals:
-            if not isinstance(literal, tuple) and len(literals) > 1 or is_variable(literal):
+            if (not isinstance(literal, tuple) and len(literals) > 1) or is_variable(literal):
                 raise Unsupported(f"{told(literal)} is no literal")
         first, *others = literals
         names = {indicator(each)[0] for each in literals} & {"\\+", "not", ";", "->"}

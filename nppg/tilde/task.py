@@ -19,6 +19,8 @@ CLASSIFY, REGRESS = "classify", "regress"
 HEURISTICS = {CLASSIFY: ("gain_ratio", "gain"), REGRESS: ("variance",)}  # the first is the default
 PRUNING = ("c45", "safe", "validation", "none")
 
+_WHOLE = {"minimal_cases": 1, "max_depth": 0, "granularity": 0, "n_estimators": 1, "random_state": 0}
+
 Target = str | int | float | tuple[float, ...]  # a class; a number; several numbers
 
 
@@ -48,6 +50,8 @@ class Settings:
     confidence: float = 0.25  # of C4.5's pessimistic pruning
     validation_share: float = 0.25  # of the examples, kept aside to prune by
     granularity: int = 0  # at most so many thresholds of a bound are tried at a node; 0: all
+    n_estimators: int = 1  # trees, or rounds of trees that are added up
+    learning_rate: float | None = None  # None: trees of samples vote; a number: they are added up, so much of each
     random_state: int = 0  # of what is drawn: the validation share, folds, samples
 
     def __post_init__(self) -> None:
@@ -59,14 +63,20 @@ class Settings:
             wrong.append(f"heuristic must be {known} to {self.mode}, not {self.heuristic!r}")
         if self.pruning and self.pruning not in PRUNING:
             wrong.append(f"pruning must be one of {', '.join(PRUNING)}, not {self.pruning!r}")
-        for name, least in (("minimal_cases", 1), ("max_depth", 0), ("granularity", 0), ("random_state", 0)):
+        for name, least in _WHOLE.items():
             if type(value := getattr(self, name)) is not int or value < least:
                 wrong.append(f"{name} must be a whole number of at least {least}, not {value!r}")
         for name, most in (("significance", 1.0), ("confidence", 1.0), ("validation_share", 0.9)):
-            if not (type(value := getattr(self, name)) in (int, float) and 0 < value <= most):
+            if not (_is_number(value := getattr(self, name)) and 0 < value <= most):
                 wrong.append(f"{name} must be a number above 0 and at most {most:g}, not {value!r}")
+        if self.learning_rate is not None and not (_is_number(self.learning_rate) and 0 < self.learning_rate <= 1):
+            wrong.append(f"learning_rate must be None or a number above 0 and at most 1, not {self.learning_rate!r}")
         if wrong:
             raise NppgError(Problem("", 0, 0, message) for message in wrong)
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 SETTINGS = tuple(each.name for each in fields(Settings))

@@ -7,7 +7,7 @@ ACE prints too.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 
@@ -16,7 +16,6 @@ from nppg.trees.tree import Leaf, Node, Tree
 _LEVELS = (0.0, 0.001, 0.005, 0.01, 0.05, 0.10, 0.20, 0.40, 1.00)
 _DEVIATES = (4.0, 3.09, 2.58, 2.33, 1.65, 1.28, 0.84, 0.25, 0.00)
 _SLACK = 0.1  # errors: so many more are no reason to keep a subtree, in C4.5
-_EQUAL = 1e-9
 
 
 def safe(tree: Tree) -> Tree:
@@ -25,7 +24,7 @@ def safe(tree: Tree) -> Tree:
     def joined(yes: Tree, no: Tree) -> bool:
         return isinstance(yes, Leaf) and isinstance(no, Leaf) and yes.value == no.value
 
-    return _upwards(tree, lambda node, yes, no: joined(yes, no))
+    return _upwards(tree, lambda _, yes, no: joined(yes, no))
 
 
 def pessimistic(tree: Tree, confidence: float) -> Tree:
@@ -39,25 +38,32 @@ def pessimistic(tree: Tree, confidence: float) -> Tree:
     return _upwards(tree, worth)
 
 
-def by_validation(tree: Tree, rows: np.ndarray, errors: Callable[[Leaf, np.ndarray], float], passes: Passes) -> Tree:
-    """Reduced-error pruning: with leaves in place of those subtrees that err at least as much on the examples `rows`.
-    `errors` tells what a leaf does on some of them, `passes(node, rows, path)` which of them pass a node's test."""
+def by_validation(
+    tree: Tree,
+    grown_on: np.ndarray,
+    others: np.ndarray,
+    leaf: Callable[[np.ndarray], Leaf],
+    errors: Callable[[Leaf, np.ndarray], float],
+    passes: Callable[[Node, np.ndarray], np.ndarray],
+) -> Tree:
+    """Reduced-error pruning: with leaves in place of those subtrees that err at least as much on the examples `others`.
 
-    def pruned(tree: Tree, rows: np.ndarray) -> tuple[Tree, float]:
+    `leaf` makes one of the examples that a tree was `grown_on`, `errors` tells what it does on some, and `passes` which
+    of some examples pass a node's test."""
+
+    def pruned(tree: Tree, own: np.ndarray, others: np.ndarray) -> tuple[Tree, float]:
         if isinstance(tree, Leaf):
-            return tree, errors(tree, rows)
-        covered = passes(tree, rows)
-        (yes, wrong_yes), (no, wrong_no) = pruned(tree.yes, rows[covered]), pruned(tree.no, rows[~covered])
-        leaf = merged(tree)
-        wrong = errors(leaf, rows)
-        if wrong <= wrong_yes + wrong_no + _EQUAL:
-            return leaf, wrong
+            return tree, errors(tree, others)
+        by, of = passes(tree, own), passes(tree, others)
+        yes, wrong_yes = pruned(tree.yes, own[by], others[of])
+        no, wrong_no = pruned(tree.no, own[~by], others[~of])
+        instead = leaf(own)
+        wrong = errors(instead, others)
+        if wrong <= wrong_yes + wrong_no:
+            return instead, wrong
         return Node(tree.literals, tree.tests, yes, no), wrong_yes + wrong_no
 
-    return pruned(tree, rows)[0]
-
-
-Passes = Callable[[Node, np.ndarray], np.ndarray]
+    return pruned(tree, grown_on, others)[0]
 
 
 def _upwards(tree: Tree, replaceable: Callable[[Node, Tree, Tree], bool]) -> Tree:
@@ -75,12 +81,10 @@ def leaves_of(tree: Tree) -> list[Leaf]:
 
 
 def merged(tree: Tree) -> Leaf:
-    """The leaf of all examples of a tree: of classes, whose weights add up, or of means."""
-    return merged_leaves(leaves_of(tree))
-
-
-def merged_leaves(found: Sequence[Leaf]) -> Leaf:
-    raise NotImplementedError
+    """The leaf of all examples of a tree of classes."""
+    found = leaves_of(tree)
+    sums = [math.fsum(weights) for weights in zip(*(each.values for each in found), strict=True)]
+    return Leaf(float(sums.index(max(sums))), sum(each.examples for each in found), tuple(sums))
 
 
 def expected_errors(tree: Tree, confidence: float) -> float:

@@ -1,5 +1,7 @@
-"""Regression trees of weighted examples with one target or several: splits by the reduction of weighted variance, summed
-over the targets in units of their deviation (predictive clustering, Blockeel, De Raedt and Ramon 1998)."""
+"""Regression trees of weighted examples with one target or several: splits by the reduction of weighted variance.
+
+It is summed over the targets in units of their deviation (predictive clustering, Blockeel, De Raedt and Ramon 1998).
+"""
 
 from __future__ import annotations
 
