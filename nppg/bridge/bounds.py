@@ -31,6 +31,7 @@ _TOKEN = re.compile(
     |(?P<other>.)""",
     re.VERBOSE | re.DOTALL,
 )
+_OWN_LINES = re.compile(r"^[ \t]*/\*.*?\*/", re.MULTILINE | re.DOTALL)  # comments that begin a line
 _OPERANDS = frozenset({"character", "number", "word", "quoted"})
 _DICTIONARY = re.compile(r"[\w)}]\.[A-Za-z_]|[\w'\"]\{")
 
@@ -43,7 +44,8 @@ def bounded(source: bytes, file: str, most: int = BYTES) -> bool:
         text = source.decode("utf-8-sig")
     except UnicodeDecodeError:
         raise _Beyond(file, 1, "is no text in UTF-8: a domain starts with :- module(Name, []).").error() from None
-    if "/*" in text or max(map(len, text.split(".\n"))) > _SHORT:
+    rest = text if "\\\n" in text else _OWN_LINES.sub("", text)  # a newline stands in quotes only behind \\
+    if "/*" in rest or max(map(len, rest.split(".\n"))) > _SHORT:
         try:
             _scan(text)
         except _Beyond as beyond:

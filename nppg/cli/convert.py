@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from nppg.cli.writing import write_new
-from nppg.tilde.formats import read_task
+from nppg.tilde.reading import read_task
 from nppg.tilde.writing import files_of
 
 

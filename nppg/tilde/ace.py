@@ -28,6 +28,7 @@ from nppg.tilde.program import (
     parts,
     read,
     told,
+    within,
 )
 from nppg.tilde.task import REGRESS, Example, Target, Task
 
@@ -55,7 +56,7 @@ def read_ace(settings: Path, knowledge: Sequence[Path]) -> Task:
     clauses = [clause for path in knowledge for clause in conditional(read(path, OPERATORS), left_out)]
     models, shared = _models(clauses, left_out)
     types = given.types(map(type_declared, (clause.data for clause in given.terms.get("type", ()))))
-    asked = {each for clause in given.language for each in _within(clause.data)}
+    asked = {each for clause in given.language for each in within(clause.data)}
     examples = tuple(_from_models(given, models, grown.mode == REGRESS))
     theirs = {indicator(fact) for each in examples for fact in each.facts}
     base = background(shared, asked, left_out, theirs)
@@ -93,15 +94,6 @@ def read_ace(settings: Path, knowledge: Sequence[Path]) -> Task:
     )
 
 
-def _within(data: Ground) -> Iterator[Indicator]:
-    """The predicates of all terms within one."""
-    unread = [data]
-    while unread:
-        each = unread.pop()
-        yield indicator(each)
-        unread += arguments(each)
-
-
 def _models(clauses: Iterable[Clause], left_out: list[Problem]) -> tuple[list[Model], list[Clause]]:
     """The models, and what is for all. Raises NppgError where one does not end."""
     models: list[Model] = []
@@ -109,7 +101,7 @@ def _models(clauses: Iterable[Clause], left_out: list[Problem]) -> tuple[list[Mo
     inside: Model | None = None
     is_told = False
     for clause in clauses:
-        word = indicator(clause.data)
+        word = clause.predicate
         name = arguments(clause.data)[0] if word in (("begin", 1), ("end", 1)) else ""
         if word == ("begin", 1) and indicator(name) in (("model", 1), ("example", 1)):
             if inside:
@@ -215,7 +207,7 @@ class _Predicted:
     ) -> tuple[tuple[Example, ...], Template]:
         """The predicate's answers in the order of the file, and the template of a key."""
         name, arity = self.indicator
-        rules = {indicator(clause.data) for clause in clauses if clause.kind == "rule"}
+        rules = {clause.predicate for clause in clauses if clause.kind == "rule"}
         if self.indicator in rules:
             variables = [("$VAR", i) for i in range(arity)]
             found = [(row, 0) for row in answers(base, [(name, *variables)], variables)]
@@ -223,7 +215,7 @@ class _Predicted:
             found = [
                 (arguments(clause.data), clause.line)
                 for clause in clauses
-                if clause.kind == "fact" and indicator(clause.data) == self.indicator
+                if clause.kind == "fact" and clause.predicate == self.indicator
             ]
         examples = []
         for row, line in dict(found).items():

@@ -37,7 +37,7 @@ class Given:
         self.language: list[Clause] = []
         known = [*_VALUES, *_TERMS, *LANGUAGE]
         for clause in clauses:
-            name, arity = indicator(clause.data)
+            name, arity = clause.predicate
             if clause.kind == "rule" and clause.calls:
                 left_out.append(clause.problem(f"a setting is a fact: the rule {name}/{arity} is left out"))
             elif name in LANGUAGE and arity == (2 if name.endswith("lookahead") else 1):

@@ -56,7 +56,7 @@ def read_aleph(file: Path, positive: Path | None = None, negative: Path | None =
     sections: dict[str, list[Clause]] = {"b": [], "f": [], "n": []}
     section = "b"
     for clause in conditional(read(file, OPERATORS), left_out):
-        word = indicator(clause.data)[0] if clause.kind == "directive" else ""
+        word = clause.predicate[0] if clause.kind == "directive" else ""
         if word in _SECTIONS:
             section = _SECTIONS[word]
         else:
@@ -95,7 +95,7 @@ class _Reading:
         """Whether it is a directive of Aleph's."""
         if clause.kind != "directive":
             return False
-        (name, arity), args = indicator(clause.data), arguments(clause.data)
+        (name, arity), args = clause.predicate, arguments(clause.data)
         if name in ("set", "aleph_set") and arity == 2:
             setting = str(args[0])
             if setting in _TREE:
@@ -191,7 +191,7 @@ class _Reading:
         for name, clauses in self.examples.items():
             for clause in clauses:
                 args = arguments(clause.data)
-                if indicator(clause.data) != self.target:
+                if clause.predicate != self.target:
                     what = f"{told(clause.data)} is left out: examples are of {self.target[0]}/{self.target[1]}"
                     self.left_out.append(clause.problem(what))
                 elif wanted is None:

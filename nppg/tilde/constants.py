@@ -9,10 +9,22 @@ from pathlib import Path
 import numpy as np
 
 from nppg.bias.declarations import Template
+from nppg.bias.names import written
 from nppg.bridge.terms import Ground
 from nppg.tilde.declared import bias_of
 from nppg.tilde.knowledge import Knowledge
-from nppg.tilde.program import Background, Indicator, arguments, canonical, elements, indicator, is_variable, match
+from nppg.tilde.program import (
+    Background,
+    Indicator,
+    arguments,
+    canonical,
+    elements,
+    indicator,
+    is_variable,
+    match,
+    reachable,
+    within,
+)
 from nppg.tilde.task import Task
 
 _HELPER = "generated constants"
@@ -73,10 +85,14 @@ def answers(
 ) -> list[tuple[Ground, ...]]:
     """What the variables stand for in the goals' answers, each once, sorted as Prolog does; asked once the background has
     been passed by the gate."""
+    needed = reachable((each for goal in goals for each in within(goal)), base.rules)
+    known = [fact for fact in base.facts if indicator(fact) in needed]
+    others = sorted({indicator(fact) for fact in base.facts} - needed)
+    text = "".join(f":- dynamic({written(name)}/{arity}).\n" for name, arity in others) + base.text
     body = ", ".join(map(canonical, goals))
     helper = f"{canonical((_HELPER, *variables))} :- {body}.\n"
     bias = bias_of(Path(), Template("example", ()), {}, (), (), 0)
-    task = Task("constants", bias, (), (*base.facts, *facts), base.text + helper)
+    task = Task("constants", bias, (), (*known, *facts), text + helper)
     return Knowledge(task).solutions(_HELPER, len(variables))
 
 

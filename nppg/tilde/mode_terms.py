@@ -39,7 +39,7 @@ class Language:
         """Takes an rmode, warmode, lookahead or auto_lookahead; what cannot be carried over is told."""
         self.clause = clause
         try:
-            name, args = indicator(clause.data)[0], arguments(clause.data)
+            name, args = clause.predicate[0], arguments(clause.data)
             if name in ("rmode", "warmode"):
                 for each in args[:1]:
                     self._mode(each, clause)

@@ -170,7 +170,7 @@ def _joined(literals: Sequence[Ground]) -> Ground:
 
 def _example(clause: Clause, template: Template, is_number: bool) -> Example:
     args = arguments(clause.data)
-    if clause.kind != "fact" or indicator(clause.data)[0] != "example" or not 1 <= len(args) <= 4:
+    if clause.kind != "fact" or clause.predicate[0] != "example" or not 1 <= len(args) <= 4:
         raise NppgError([clause.problem(f"example(Key, Target, Facts, Weight) is wanted, not {told(clause.data)}")])
     key, target, facts, weight = (*args, *("?", ("[]",), 1.0)[len(args) - 1 :])
     own, count = elements(facts), len(template.types)

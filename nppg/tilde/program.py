@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from nppg.bias.names import is_name, written
 from nppg.bridge.bounds import DATA, bounded
 from nppg.bridge.prolog import ask
-from nppg.bridge.terms import Ground, ground
+from nppg.bridge.terms import Compound, Ground, ground
 from nppg.errors import NppgError, Problem
 
 Indicator = tuple[str, int]
@@ -33,6 +33,10 @@ class Clause:
     calls: tuple[Indicator, ...] = ()  # without what every program may call
     doubts: tuple[Indicator, ...] = ()  # those that only a program may call that defines them itself
     refusal: str = ""  # why it cannot stand at all
+    predicate: Indicator = field(init=False, default=("", 0), compare=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "predicate", indicator(self.data))
 
     def problem(self, message: str) -> Problem:
         return Problem(self.file, self.line, 0, message)
@@ -45,6 +49,15 @@ def indicator(data: Ground) -> Indicator:
 
 def arguments(data: Ground) -> tuple[Ground, ...]:
     return data[1:] if isinstance(data, tuple) else ()
+
+
+def within(data: Ground) -> Iterator[Indicator]:
+    """The predicates of all terms within one."""
+    unread = [data]
+    while unread:
+        each = unread.pop()
+        yield indicator(each)
+        unread += arguments(each)
 
 
 def is_variable(data: Ground) -> bool:
@@ -129,11 +142,10 @@ def _read(
         if kind == "error":
             problems.append(Problem(str(path), line, 0, data))
             continue
-        term = ground(data)
+        term = Compound(ground(data)) if isinstance(data, list) else data
         if kind == "rule":
             text, calls, doubts, refusal = more
-            indicators = [tuple(tuple(each) for each in those) for those in (calls, doubts)]
-            clauses.append(Clause(str(path), line, kind, term, text, *indicators, refusal))
+            clauses.append(Clause(str(path), line, kind, term, text, _indicators(calls), _indicators(doubts), refusal))
             continue
         clause = Clause(str(path), line, kind, term)
         found = _included(term, path, folder) if kind == "directive" and indicator(term) in _INCLUDES else None
@@ -142,6 +154,10 @@ def _read(
         for each in found or ():
             if each.resolve() not in seen:
                 _read(each, folder, operators, clauses, problems, seen)
+
+
+def _indicators(data: list[list]) -> tuple[Indicator, ...]:
+    return tuple((name, arity) for name, arity in data)
 
 
 def read_text(path: Path) -> str:
@@ -191,7 +207,7 @@ def conditional(clauses: Iterable[Clause], left_out: list[Problem]) -> list[Clau
     asks for SWI-Prolog is so, what asks for anything else is not."""
     found, open_ones = [], [(True, True)]  # whether the branch counts, and whether one of its conditional has
     for clause in clauses:
-        name, arity = indicator(clause.data) if clause.kind == "directive" else ("", 0)
+        name, arity = clause.predicate if clause.kind == "directive" else ("", 0)
         within = open_ones[-2][0] if len(open_ones) > 1 else True
         if (name, arity) == ("if", 1):
             so = open_ones[-1][0] and _holds(arguments(clause.data)[0], clause, left_out)
@@ -230,7 +246,7 @@ class Background:
     facts: tuple[Ground, ...]
     text: str
     defined: frozenset[Indicator]
-    rules: frozenset[Indicator]  # predicates that the text defines
+    rules: Mapping[Indicator, frozenset[Indicator]]  # what each predicate that the text defines calls
     missing: dict[Indicator, str]  # predicates that are left out, and why
 
 
@@ -245,7 +261,7 @@ def background(
     that examples have facts of."""
     clauses = list(clauses)
     own = [clause for clause in clauses if clause.kind != "directive"]
-    defined = {indicator(clause.data) for clause in own}
+    defined = {clause.predicate for clause in own}
     missing = {
         (name, arity): f"{name}/{arity} is Prolog's own"
         for name, arity in ask("unchangeable", [list(each) for each in sorted(defined)])
@@ -253,7 +269,7 @@ def background(
     rules: dict[Indicator, list[Clause]] = {}
     for clause in own:
         if clause.kind == "rule":
-            rules.setdefault(indicator(clause.data), []).append(clause)
+            rules.setdefault(clause.predicate, []).append(clause)
     for head, its in rules.items():
         for clause in its:
             called = [each for each in clause.doubts if each not in defined]
@@ -271,24 +287,25 @@ def background(
         if each in missing
     }:
         missing |= more
-    kept = [clause for clause in own if indicator(clause.data) not in missing]
+    kept = [clause for clause in own if clause.predicate not in missing]
     lines, dynamic = _declarations([clause for clause in clauses if clause.kind == "directive"], left_out)
-    reached = _reached(asked, rules)
+    calls = {head: frozenset(each for clause in its for each in clause.calls) for head, its in rules.items()}
+    reached = reachable(asked, calls)
     for clause in kept:
         for called in clause.calls:
             if called not in defined and called not in dynamic:
                 dynamic.add(called)
-                if called not in given and indicator(clause.data) in reached:
+                if called not in given and clause.predicate in reached:
                     left_out.append(clause.problem(f"{called[0]}/{called[1]} is called and nowhere defined: it fails"))
     lines += [f":- dynamic({written(name)}/{arity}).\n" for name, arity in sorted(dynamic - defined)]
-    mixed = sorted((clause for clause in kept if indicator(clause.data) in rules), key=lambda each: indicator(each.data))
+    mixed = sorted((clause for clause in kept if clause.predicate in rules), key=lambda each: each.predicate)
     as_text = iter(ask("texts", [clause.data for clause in mixed if clause.kind == "fact"]))
     lines += [clause.text if clause.kind == "rule" else f"{next(as_text)}.\n" for clause in mixed]
-    facts = tuple(clause.data for clause in kept if indicator(clause.data) not in rules)
-    return Background(facts, "".join(lines), frozenset(defined | dynamic) - missing.keys(), frozenset(rules), missing)
+    facts = tuple(clause.data for clause in kept if clause.predicate not in rules)
+    return Background(facts, "".join(lines), frozenset(defined | dynamic) - missing.keys(), calls, missing)
 
 
-def _reached(asked: Iterable[Indicator], rules: Mapping[Indicator, list[Clause]]) -> set[Indicator]:
+def reachable(asked: Iterable[Indicator], calls: Mapping[Indicator, frozenset[Indicator]]) -> set[Indicator]:
     """What asking these predicates may call."""
     found: set[Indicator] = set()
     unread = list(asked)
@@ -296,7 +313,7 @@ def _reached(asked: Iterable[Indicator], rules: Mapping[Indicator, list[Clause]]
         each = unread.pop()
         if each not in found:
             found.add(each)
-            unread += [called for clause in rules.get(each, ()) for called in clause.calls]
+            unread += calls.get(each, ())
     return found
 
 
@@ -305,7 +322,7 @@ def _declarations(declared: Iterable[Clause], left_out: list[Problem]) -> tuple[
     lines: list[str] = []
     dynamic: set[Indicator] = set()
     for clause in declared:
-        name, arity = indicator(clause.data)
+        name, arity = clause.predicate
         args = arguments(clause.data)
         if name == "dynamic" and arity == 1:
             specs = elements(args[0])
