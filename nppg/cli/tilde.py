@@ -137,4 +137,3 @@ def _show(options: argparse.Namespace) -> int:
         parts = [printing.tree_text(tree, model), "", printing.rules_text(tree, model), ""]
         print(*([f"% tree {i}"] if len(model.trees) > 1 else []), *parts, sep="\n")
     return 0
-

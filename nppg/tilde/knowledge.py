@@ -63,7 +63,7 @@ class Knowledge:
         missing = sorted({*known} - {*given} - {*by_clauses})
         header += [f":- fluent {written(name)}/{arity}." for name, arity in missing]
         self.domain = self._load(" ".join(header) + " " + task.background + "\n" + "\n".join(links) + "\n")
-        self._static = Static(sorted({*self._renamed("static", task.facts)}, key=standard_order))
+        self._static = Static(dict.fromkeys(self._renamed("static", task.facts)))
 
     def _load(self, text: str) -> Domain:
         with tempfile.TemporaryDirectory() as folder:

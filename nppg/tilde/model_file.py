@@ -77,8 +77,10 @@ def _check(tree: Tree, may_ask: Callable[[Literal], bool]) -> None:
 
 
 def _is_query(query: Query) -> bool:
-    args = [arg for each in query if isinstance(each, Literal) for arg in each.args]
-    return all(isinstance(each, Literal) for each in query) and all(isinstance(arg, Var | str | int | float) for arg in args)
+    def is_literal(each: Literal) -> bool:
+        return isinstance(each, Literal) and all(isinstance(arg, Var | str | int | float) for arg in each.args)
+
+    return all(map(is_literal, query))
 
 
 def _wrong(path: Path, message: Any) -> NppgError:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nppg.trees.splits import Split, Splits
+from nppg.trees.splits import ROUNDING, Split, Splits, large_enough
 from nppg.trees.tilde import first_best
 from nppg.trees.tree import Leaf
 
@@ -21,22 +21,22 @@ class Classes:
     weights: np.ndarray
     count: int  # of classes
     is_ratio: bool  # whether gains are divided by the information of the split
-    least: int  # examples of each branch
+    least: int  # examples of each branch, by weight
     granularity: int = 0
 
     def is_pure(self, members: np.ndarray) -> bool:
-        labels = self.labels[members]
-        return len(labels) < 2 * self.least or not (labels != labels[0]).any()
+        sums = self._sums(members)
+        return float(sums.sum()) < 2 * self.least - ROUNDING or int(np.count_nonzero(sums)) < 2
 
     def best(self, answers: np.ndarray, members: np.ndarray) -> Split | None:
         splits = Splits(answers, self.granularity)
         labels, weights = self.labels[members], self.weights[members]
         covered = np.stack([splits.sums(np.where(labels == each, weights, 0.0)) for each in range(self.count)])
-        n1 = splits.counts()
-        allowed = ((n1 >= self.least) & (n1 <= len(members) - self.least)).nonzero()[0]
+        whole = self._sums(members)
+        allowed = large_enough(covered.sum(axis=0), float(whole.sum()), self.least)
         if not len(allowed):
             return None
-        whole, covered = self._sums(members), covered[:, allowed]
+        covered = covered[:, allowed]
         others = np.maximum(whole[:, None] - covered, 0.0)
         size = whole.sum()
         rest = (covered.sum(axis=0) * entropy(covered) + others.sum(axis=0) * entropy(others)) / size

@@ -8,14 +8,14 @@ from __future__ import annotations
 import numpy as np
 
 from nppg.bias.declarations import MIN_VARIANCE
-from nppg.trees.splits import Split, Splits
+from nppg.trees.splits import ROUNDING, Split, Splits, large_enough
 from nppg.trees.tilde import first_best, gains, is_significant
 from nppg.trees.tree import Leaf
 
 
 class Several:
-    """The criterion of `targets` of shape (examples, targets). Leaves hold at least so many examples as `least`;
-    `significance` is the level of the F-test."""
+    """The criterion of `targets` of shape (examples, targets). Leaves hold the weight of at least so many examples
+    as `least`; `significance` is the level of the F-test."""
 
     def __init__(
         self, targets: np.ndarray, weights: np.ndarray, least: int, significance: float = 1.0, granularity: int = 0
@@ -27,16 +27,16 @@ class Several:
         self._scaled = (targets - mean) / np.where(deviation > 0, deviation, 1.0)
 
     def is_pure(self, members: np.ndarray) -> bool:
-        return len(members) < 2 * self.least or self._squares(members) / len(members) < MIN_VARIANCE
+        whole = float(self.weights[members].sum())
+        return whole < 2 * self.least - ROUNDING or self._squares(members) / whole < MIN_VARIANCE
 
     def best(self, answers: np.ndarray, members: np.ndarray) -> Split | None:
         splits = Splits(answers, self.granularity)
         weights = self.weights[members]
-        n1, w1 = splits.counts(), splits.sums(weights)
-        allowed = ((n1 >= self.least) & (n1 <= len(members) - self.least)).nonzero()[0]
+        w1, whole = splits.sums(weights), float(weights.sum())
+        allowed = large_enough(w1, whole, self.least)
         if not len(allowed):
             return None
-        whole = float(weights.sum())
         w1 = w1.take(allowed)
         gain = np.zeros(len(allowed))
         for values in self._scaled[members].T:
@@ -44,7 +44,7 @@ class Several:
             gain += gains(splits.sums(weighted).take(allowed), float(weighted.sum()), w1, whole - w1, whole)
         best = first_best(gain)
         squares = self._squares(members)
-        good = is_significant(float(gain[best]), squares, len(members), self.significance, 1.0)
+        good = is_significant(float(gain[best]), squares, round(whole), self.significance, 1.0)
         return splits[int(allowed[best])] if good else None
 
     def leaf(self, members: np.ndarray) -> Leaf:

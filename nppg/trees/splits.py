@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+ROUNDING = 1e-9  # of sums of weights
+
 
 class Split(NamedTuple):
     """A candidate, and the limit of what it covers where answers are numbers."""
@@ -64,3 +66,8 @@ def _quantiles(cuts: np.ndarray, granularity: int) -> np.ndarray:
     kept = np.zeros_like(cuts)
     kept[places[np.minimum(np.searchsorted(places, wanted), len(places) - 1)]] = True
     return kept
+
+
+def large_enough(w1: np.ndarray, whole: float, least: int) -> np.ndarray:
+    """The splits that leave the weight of `least` examples to both branches, by the weights that they cover."""
+    return ((w1 >= least - ROUNDING) & (w1 <= whole - least + ROUNDING)).nonzero()[0]
