@@ -23,6 +23,7 @@ TABLES = {  # by their markers in the file
     "competition": ("competition",),
     "growth": ("growth",),
     "large": ("large_states",),
+    "tilde": ("tilde",),
 }
 COMMANDS = {"ipc2023": "benchmarks.ipc2023.command", "options": "benchmarks.options"}  # with arguments of their own
 NAMES = [name for names in TABLES.values() for name in names]
