@@ -139,14 +139,15 @@ class Estimator:
         if sample_weight is None:
             weights = [1.0] * count
         else:
-            weights = np.asarray(sample_weight).tolist() if np.ndim(sample_weight) else [sample_weight] * count
-            if np.ndim(sample_weight) > 1:
+            given = np.asarray(sample_weight)
+            weights = given.tolist() if given.ndim else [given.item()] * count
+            if given.ndim > 1:
                 raise InputError("Sample weights must be 1D array or scalar")
             if len(weights) != count:
                 raise InputError(f"there are {len(weights)} weights of {count} examples")
         kept = [i for i, weight in enumerate(weights) if weight != 0]
         if not kept:
-            raise InputError("there are no examples with a weight above 0")
+            raise InputError("all sample weights are zero: there is no example with a weight above 0")
         places = [Problem("", 0, 0, f"example {i}") for i in kept]
         checked = weights_of([weights[i] for i in kept], places)
         find = classes_of if self._mode == CLASSIFY else numbers_of
@@ -203,7 +204,8 @@ class TildeClassifier(Estimator):
 
     def predict(self, X: Any) -> np.ndarray:
         """The most probable class of each example, the first of those."""
-        return self.classes_[self.predict_proba(X).argmax(axis=1)]
+        best = self.predict_proba(X).argmax(axis=1)
+        return self.classes_[best]
 
     def predict_proba(self, X: Any) -> np.ndarray:
         """Shape (examples, classes), in the order of `classes_`."""

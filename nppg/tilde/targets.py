@@ -57,12 +57,11 @@ def classes_of(
 ) -> Targets:
     """Classes, which are in this order if it is given, else sorted. Raises NppgError."""
     names = [alone(each) for each in given]
-    wrong = [
-        _at(place, f"has no {what}" if name is None or name != name else f"has {name!r}, which is no class")
+    _raise(
+        _at(place, message)
         for name, place in zip(names, places, strict=True)
-        if not isinstance(name, _PLAIN) or name != name
-    ]
-    _raise(wrong)
+        if (message := _no_class(name, what, bool(classes)))
+    )
     known = list(classes) or sorted(set(names), key=lambda each: (isinstance(each, str), each))
     index = {name: i for i, name in enumerate(known)}
     strange = [
@@ -99,6 +98,17 @@ def weights_of(given: Sequence[Any], places: Sequence[Problem]) -> np.ndarray:
         if not isinstance(value, int | float) or isinstance(value, bool) or not 0 < value < math.inf
     )
     return np.array(values, float)
+
+
+def _no_class(name: Any, what: str, are_given: bool) -> str:
+    if name is None or name == "" or name != name:
+        return f"has no {what}"
+    if not isinstance(name, _PLAIN):
+        return f"has {name!r}, which is no class"
+    if isinstance(name, float) and not are_given and not name.is_integer():
+        hint = "Unknown label type: continuous; to learn numbers, regress"
+        return f"has infinity for its {what}" if math.isinf(name) else f"has {name!r} for its {what}: {hint}"
+    return ""
 
 
 def _no_number(value: Any, what: str) -> str:
