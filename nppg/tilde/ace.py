@@ -10,30 +10,30 @@ from nppg.bias.declarations import ANY, Template
 from nppg.bridge.terms import Ground
 from nppg.errors import NppgError, Problem
 from nppg.tilde.ace_constants import Constants
-from nppg.tilde.mode_terms import Language, own_type, type_declared
 from nppg.tilde.ace_settings import Given
 from nppg.tilde.constants import Facts, answers
 from nppg.tilde.declared import askable, bias_of, looking_ahead
-from nppg.tilde.program import (
-    Background,
-    Clause,
+from nppg.tilde.mode_terms import Language, own_type, type_declared
+from nppg.tilde.program import Background, Clause, background, conditional, read
+from nppg.tilde.task import REGRESS, Example, Target, Task
+from nppg.tilde.terms import (
     Indicator,
     arguments,
-    background,
-    conditional,
     elements,
     indicator,
     is_variable,
     match,
+    number,
     parts,
-    read,
     told,
     within,
 )
-from nppg.tilde.task import REGRESS, Example, Target, Task
 
 OPERATORS = [*((200, "fy", name) for name in ("+-", "#", "-#", "+#", "-\\", "+\\")), (990, "xfx", "::")]
 _DEFAULT_CLASSES = ("pos", "neg")
+_PROBABILITIES = (
+    "probabilities are left aside: of a model's classes the most probable counts, of other facts those above 0.5"
+)
 
 
 @dataclass
@@ -46,10 +46,13 @@ class Model:
     facts: list[Ground] = field(default_factory=list)
     shares: dict[Ground, float] = field(default_factory=dict)  # of facts P::Fact
 
+    def problem(self, message: str) -> Problem:
+        return Problem(self.file, self.line, 0, f"the model {self.name} {message}")
+
 
 def read_ace(settings: Path, knowledge: Sequence[Path]) -> Task:
-    """The task of a settings file and of the knowledge bases and background that belong to it. Raises NppgError with what
-    cannot be read, and where there is no target or no example."""
+    """The task of a settings file and of the knowledge bases and background that belong to it. Raises NppgError with
+    what cannot be read, and where there is no target or no example."""
     left_out: list[Problem] = []
     given = Given(conditional(read(settings, OPERATORS), left_out), left_out)
     grown = given.settings()
@@ -105,7 +108,7 @@ def _models(clauses: Iterable[Clause], left_out: list[Problem]) -> tuple[list[Mo
         name = arguments(clause.data)[0] if word in (("begin", 1), ("end", 1)) else ""
         if word == ("begin", 1) and indicator(name) in (("model", 1), ("example", 1)):
             if inside:
-                raise NppgError([clause.problem(f"the model {inside.name} of line {inside.line} has not ended")])
+                raise NppgError([inside.problem(f"has not ended where {told(name)} begins, on line {clause.line}")])
             inside = Model(told(arguments(name)[0]), clause.file, clause.line)
             models.append(inside)
         elif word == ("end", 1) and inside:
@@ -118,14 +121,14 @@ def _models(clauses: Iterable[Clause], left_out: list[Problem]) -> tuple[list[Mo
             share, fact = arguments(clause.data)
             inside.shares[fact] = float(share) if isinstance(share, int | float) else 1.0
             if not is_told:
-                left_out.append(clause.problem("probabilities are left aside: of a model's classes the most probable counts, of other facts those above 0.5"))
+                left_out.append(clause.problem(_PROBABILITIES))
                 is_told = True
         elif clause.kind == "fact":
             inside.facts.append(clause.data)
         else:
             left_out.append(clause.problem(f"a model consists of facts: {told(clause.data)} is left out"))
     if inside:
-        raise NppgError([Problem(inside.file, inside.line, 0, f"the model {inside.name} does not end: end(model({inside.name})). is missing")])
+        raise NppgError([inside.problem(f"does not end: end(model({inside.name})). is missing")])
     return models, shared
 
 
@@ -151,7 +154,7 @@ def _from_models(given: Given, models: list[Model], is_number: bool) -> Iterator
                 found = [max(weighed, key=model.shares.__getitem__)]
             if len(found) > 1:
                 names = " and ".join(map(told, found))
-                raise NppgError([Problem(model.file, model.line, 0, f"the model {model.name} has two classes, {names}")])
+                raise NppgError([model.problem(f"has two classes, {names}")])
             facts = [fact for fact in facts if fact not in classes]
             target = told(found[0]) if found else None
         yield Example((), target, tuple(facts), line=model.line, name=model.name)
@@ -166,7 +169,7 @@ def _pattern(given: Given) -> tuple[Ground | None, list[int]]:
         literal = arguments(clause.data)[0]
         places = range(1, len(arguments(literal)) + 1)
         if indicator(literal)[1]:
-            minus = [place for place in places if indicator(literal[place])[0] == "-" or literal[place] == "-"]  # type: ignore[index, arg-type]
+            minus = [place for place in places if indicator(literal[place])[0] == "-" or literal[place] == "-"]  # type: ignore[index]
             return (literal[0], *(("$VAR", place) for place in places)), minus  # type: ignore[index]
     return None, []
 
@@ -177,7 +180,7 @@ def _value(values: Sequence[Ground], is_number: bool) -> Target | None:
         return None
     plain = [value if isinstance(value, int | float) else told(value) for value in values]
     if is_number and len(plain) > 1:
-        return tuple(plain)  # type: ignore[return-value, arg-type]
+        return tuple(plain)  # type: ignore[arg-type]
     return plain[0] if is_number else ", ".join(map(str, plain))
 
 
@@ -187,7 +190,8 @@ class _Predicted:
     def __init__(self, given: Given, types: dict[Indicator, tuple[str, ...]], settings: Path):
         clauses = [*given.terms.get("predict", ()), *given.terms.get("predicate", ())]
         if not clauses:
-            raise NppgError([Problem(str(settings), 0, 0, "what is to be predicted is not said: predict(p(+key, -class)) is missing")])
+            message = "predict(p(+key, -class)) is missing, which says what is to be predicted"
+            raise NppgError([Problem(str(settings), 0, 0, message)])
         self.clause = clauses[0]
         literal = arguments(self.clause.data)[0]
         self.indicator = indicator(literal)
@@ -240,18 +244,19 @@ class _Predicted:
             declared = self.types.get(indicator(goal), (ANY,) * len(arguments(goal)))
             for arg, type_ in zip(arguments(goal), declared, strict=True):
                 if is_variable(arg) and arg not in variables:
-                    types.setdefault(arg[1], type_)  # type: ignore[index, arg-type]
+                    types.setdefault(number(arg), type_)
         if any(indicator(goal) in base.rules for goal in goals):
             left_out.append(clause.problem("the root is left out: it is asked of facts, and this one of rules"))
             return examples, ()
         facts, found, lost = Facts(base.facts), [], 0
         for each in examples:
-            bound = {variable[1]: value for variable, value in zip(variables, each.key, strict=True)}  # type: ignore[index]
+            bound = {number(variable): value for variable, value in zip(variables, each.key, strict=True)}
             answer = next(facts.solutions(goals, bound), None)
             if answer is None:
                 lost += 1
             else:
                 found.append(Example((*each.key, *(answer[number] for number in types)), each.target, line=each.line))
         if lost:
-            left_out.append(clause.problem(f"{lost} of {len(examples)} examples are left out: the root does not hold of them"))
+            what = f"{lost} of {len(examples)} examples are left out: the root does not hold of them"
+            left_out.append(clause.problem(what))
         return found, tuple(types.values())

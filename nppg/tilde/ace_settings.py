@@ -6,23 +6,32 @@ from collections.abc import Iterable
 
 from nppg.bridge.terms import Ground
 from nppg.errors import NppgError, Problem, suggestion
-from nppg.tilde.program import Clause, Indicator, arguments, elements, indicator, told
+from nppg.tilde.program import Clause
 from nppg.tilde.task import CLASSIFY, REGRESS, Settings
+from nppg.tilde.terms import (
+    Indicator,
+    arguments,
+    elements,
+    indicator,
+    told,
+)
 
 LANGUAGE = ("rmode", "warmode", "lookahead", "auto_lookahead")
-_VALUES = (
-    "accuracy classes confidence_level discretize exhaustive_lookahead ftest heuristic load max_lookahead minimal_cases "
-    "pruning random_validation_set tilde_maxdepth tilde_mode typed_language"
-).split()
-_TERMS = "euclid predicate predict root to_be_discretized type discretization".split()
-_SILENT = frozenset(  # of no meaning for the tree
-    "add_predictions_to bg_file combination_rule compatibility example_cache execute expert_implicit_language "
-    "generation_order granularity huge intra_literal_sharing kb_file language_warnings leave_out log_pid "
-    "mi_distance_maxsample minconf minfreq multiscore odbc old_expand outerloop output_dir output_options "
-    "precompute prune_rules query_batch_size report_timings resume show_averages single_query_generation talking "
-    "tilde_rst_optimization tilde_version transform_queries use_package use_packs warmr_assoc "
-    "warmr_assoc_output_options warmr_maxdepth write_predictions".split()
-)
+_VALUE_NAMES = """
+accuracy classes confidence_level discretize exhaustive_lookahead ftest heuristic load max_lookahead minimal_cases
+pruning random_validation_set tilde_maxdepth tilde_mode typed_language
+"""
+_TERM_NAMES = "euclid predicate predict root to_be_discretized type discretization"
+_SILENT_NAMES = """
+add_predictions_to bg_file combination_rule compatibility example_cache execute expert_implicit_language
+generation_order granularity huge intra_literal_sharing kb_file language_warnings leave_out log_pid
+mi_distance_maxsample minconf minfreq multiscore odbc old_expand outerloop output_dir output_options precompute
+prune_rules query_batch_size report_timings resume show_averages single_query_generation talking
+tilde_rst_optimization tilde_version transform_queries use_package use_packs warmr_assoc warmr_assoc_output_options
+warmr_maxdepth write_predictions
+"""
+_VALUES, _TERMS = _VALUE_NAMES.split(), _TERM_NAMES.split()
+_SILENT = frozenset(_SILENT_NAMES.split())  # of no meaning for the tree
 _HEURISTICS = {"gain": "gain", "gainratio": "gain_ratio", "gain_ratio": "gain_ratio"}
 _PRUNING = {"c45": "c45", "none": "none", "no": "none", "off": "none", "safe": "safe", "vsb": "validation"}
 
@@ -111,7 +120,9 @@ class Given:
         if not pruning:
             self._aside(self.values["pruning"], f"is none of nppg's: {', '.join(_PRUNING)}")
         if self.value("accuracy", 1.0) not in (1, 1.0):
-            self._aside(self.values["accuracy"], "is not carried over: a node is split until its examples are of one class")
+            self._aside(
+                self.values["accuracy"], "is not carried over: a node is split until its examples are of one class"
+            )
         share = self.value("random_validation_set", 0)
         return Settings(
             mode=kind,

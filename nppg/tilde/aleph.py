@@ -10,43 +10,26 @@ from pathlib import Path
 from nppg.bias.declarations import ANY, Template
 from nppg.bridge.terms import Ground
 from nppg.errors import NppgError, Problem, suggestion
+from nppg.tilde.aleph_settings import SEARCH, SILENT, TREE
 from nppg.tilde.constants import answers
 from nppg.tilde.declared import askable, bias_of, looking_ahead
 from nppg.tilde.mode_terms import Language, own_type
-from nppg.tilde.program import (
-    Background,
-    Clause,
+from nppg.tilde.program import Background, Clause, background, conditional, read
+from nppg.tilde.task import CLASSIFY, REGRESS, Example, Settings, Target, Task
+from nppg.tilde.terms import (
     Indicator,
     arguments,
-    background,
-    conditional,
     elements,
     indicator,
-    is_variable,
-    read,
     told,
 )
-from nppg.tilde.task import CLASSIFY, REGRESS, Example, Settings, Target, Task
 
 OPERATORS = [(500, "fy", "#"), (500, "fy", "*"), (900, "xfy", "because"), (500, "fy", "-#"), (500, "fy", "+-")]
 POSITIVE, NEGATIVE = "pos", "neg"
 
-_SECTIONS = {"begin_bg": "b", "end_bg": "b", "begin_in_pos": "f", "end_in_pos": "b", "begin_in_neg": "n", "end_in_neg": "b"}
-_SILENT = frozenset(
-    "aleph aleph_read_all commutative symmetric lazy_evaluate positive_only use_rendering example_weight read_all "
-    "noreductive cost_template initialization".split()
+_SECTIONS = {"begin_bg": "b", "begin_in_pos": "f", "begin_in_neg": "n"} | dict.fromkeys(
+    ("end_bg", "end_in_pos", "end_in_neg"), "b"
 )
-_SEARCH = frozenset(  # of Aleph's search for clauses, which a tree does not make
-    "abduce best caching_clauses caching clauselength clauselength_distribution clauses condition confidence construct_bottom "
-    "cache_clauselength check_good check_redundant check_useless depth evalfn explore good goodfile gsamplesize i interactive "
-    "language lazy_bottom lazy_negs lazy_on_contradiction lazy_on_cost max_abducibles max_features minacc mincover mingain "
-    "minpos minposfrac minscore moves newvars nodes noise nreduce_bottom openlist optimise_clauses permute_bottom portray_examples "
-    "portray_hypothesis portray_literals portray_search print proof_strategy prooftime prune_defs prune_tree record recordfile "
-    "refine refineop resample rls_type rulefile samplesize scs_percentile scs_prob scs_sample scs_type search searchtime skolemvars "
-    "splitvars stage store_bottom store_cover stream subsample subsamplesize temperature test_neg test_pos threads train_neg "
-    "train_pos tries typeoverlap uniform_sample updateback verbose verbosity version walk".split()
-)
-_TREE = ("classes", "dependent", "lookahead", "tree_type")
 
 
 def read_aleph(file: Path, positive: Path | None = None, negative: Path | None = None) -> Task:
@@ -98,11 +81,13 @@ class _Reading:
         (name, arity), args = clause.predicate, arguments(clause.data)
         if name in ("set", "aleph_set") and arity == 2:
             setting = str(args[0])
-            if setting in _TREE:
+            if setting in TREE:
                 self.settings[setting] = clause
-            elif setting not in _SEARCH:
-                hint = suggestion(setting, [*_TREE, *_SEARCH])
-                self.left_out.append(clause.problem(f"{told(clause.data)} is left aside: Aleph has no such parameter{hint}"))
+            elif setting not in SEARCH:
+                hint = suggestion(setting, [*TREE, *SEARCH])
+                self.left_out.append(
+                    clause.problem(f"{told(clause.data)} is left aside: Aleph has no such parameter{hint}")
+                )
         elif name == "modeh" and arity == 2:
             self.heads.append(clause)
         elif name in ("modeb", "mode") and arity == 2:
@@ -111,7 +96,7 @@ class _Reading:
             target, body = (arguments(each) for each in args)
             if len(target) == len(body) == 2:
                 self.determined.setdefault((str(target[0]), int(target[1])), []).append(clause)  # type: ignore[arg-type]
-        elif name not in _SILENT:
+        elif name not in SILENT:
             return False
         return True
 
@@ -182,12 +167,13 @@ class _Reading:
             outputs = [i for i, arg in enumerate(arguments(literal)) if indicator(arg)[0] in ("-", "#")]
             if indicator(literal) == self.target and outputs:
                 return outputs[-1]
-        message = f"there are no negative examples ({self.file.with_suffix('.n')}), and no set(dependent, N) says what to predict"
+        where = self.file.with_suffix(".n")
+        message = f"there are no negative examples ({where}), and no set(dependent, N) says what to predict"
         raise NppgError([Problem(str(self.file), 0, 0, message)])
 
     def _rows(self, wanted: int | None) -> list[tuple[tuple[Ground, ...], Ground, int]]:
         """Key, target and line of each example."""
-        rows = []
+        rows: list[tuple[tuple[Ground, ...], Ground, int]] = []
         for name, clauses in self.examples.items():
             for clause in clauses:
                 args = arguments(clause.data)
@@ -231,10 +217,14 @@ class _Reading:
         for clause in self.determined.get(self.target, ()):
             body = arguments(arguments(clause.data)[1])
             if (*body,) not in moded:
-                self.left_out.append(clause.problem(f"{body[0]}/{body[1]} has a determination and no mode: it is not tested"))
+                self.left_out.append(
+                    clause.problem(f"{body[0]}/{body[1]} has a determination and no mode: it is not tested")
+                )
         return found
 
-    def _values(self, modes: Iterable[Clause], base: Background, keys: dict[str, set[Ground]]) -> dict[str, set[Ground]]:
+    def _values(
+        self, modes: Iterable[Clause], base: Background, keys: dict[str, set[Ground]]
+    ) -> dict[str, set[Ground]]:
         """The values of each type: those of keys, and what facts have where a mode names the type."""
         found = {type_: set(values) for type_, values in keys.items()}
         places: dict[Indicator, list[tuple[int, str]]] = {}
@@ -255,11 +245,11 @@ class _Reading:
         literal = arguments(clause.data)[1]
         if not isinstance(literal, tuple):
             return replace(clause, data=("rmode", literal))
-        args = [("+-", arg[1]) if indicator(arg) == ("-", 1) else arg for arg in literal[1:]]  # type: ignore[index]
+        args = [("+-", arg[1]) if indicator(arg) == ("-", 1) else arg for arg in literal[1:]]
         if indicator(literal) in base.rules and any(indicator(arg) == ("#", 1) for arg in args):
             free: list[Ground] = [("$VAR", i) for i in range(len(args))]
             constants = [free[i] for i, arg in enumerate(args) if indicator(arg) == ("#", 1)]
-            inputs = [("value", arg[1], free[i]) for i, arg in enumerate(args) if indicator(arg) == ("+", 1)]  # type: ignore[index]
+            inputs = [("value", arg[1], free[i]) for i, arg in enumerate(args) if indicator(arg) == ("+", 1)]
             generator: Ground = (literal[0], *free)
             for each in reversed(inputs):
                 generator = (",", each, generator)

@@ -13,8 +13,9 @@ from nppg.bias.names import written
 from nppg.bridge.terms import Ground
 from nppg.tilde.declared import bias_of
 from nppg.tilde.knowledge import Knowledge
-from nppg.tilde.program import (
-    Background,
+from nppg.tilde.program import Background, reachable
+from nppg.tilde.task import Task
+from nppg.tilde.terms import (
     Indicator,
     arguments,
     canonical,
@@ -22,10 +23,9 @@ from nppg.tilde.program import (
     indicator,
     is_variable,
     match,
-    reachable,
+    number,
     within,
 )
-from nppg.tilde.task import Task
 
 _HELPER = "generated constants"
 
@@ -69,7 +69,7 @@ class Facts:
         if not predicate[1]:
             return facts
         first = arguments(goal)[0]
-        first = bound.get(first[1], first) if is_variable(first) else first  # type: ignore[index, arg-type]
+        first = bound.get(number(first), first) if is_variable(first) else first
         if is_variable(first):
             return facts
         if predicate not in self._first:
@@ -83,8 +83,8 @@ class Facts:
 def answers(
     base: Background, goals: Sequence[Ground], variables: Sequence[Ground], facts: Sequence[Ground] = ()
 ) -> list[tuple[Ground, ...]]:
-    """What the variables stand for in the goals' answers, each once, sorted as Prolog does; asked once the background has
-    been passed by the gate."""
+    """What the variables stand for in the goals' answers, each once, sorted as Prolog does; asked once the background
+    has been passed by the gate."""
     needed = reachable((each for goal in goals for each in within(goal)), base.rules)
     known = [fact for fact in base.facts if indicator(fact) in needed]
     others = sorted({indicator(fact) for fact in base.facts} - needed)

@@ -11,7 +11,10 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.prolog import ask
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.logic.query import OPEN
-from nppg.tilde.program import Background, Indicator
+from nppg.tilde.program import Background
+from nppg.tilde.terms import (
+    Indicator,
+)
 
 NO_BOUND = 10_000  # existential variables of a query: neither ACE nor Aleph knows a bound
 _BUILT_IN = ("=", *OPEN)

@@ -10,7 +10,17 @@ from nppg.bias.declarations import ANY, Argument, Follower, Lookahead, Mode
 from nppg.bridge.terms import Ground
 from nppg.errors import Problem
 from nppg.logic.query import OPEN, Constant, constant
-from nppg.tilde.program import Clause, Indicator, arguments, elements, indicator, is_variable, parts, told
+from nppg.tilde.program import Clause
+from nppg.tilde.terms import (
+    Indicator,
+    arguments,
+    elements,
+    indicator,
+    is_variable,
+    number,
+    parts,
+    told,
+)
 
 _MODES = {"+": "+", "-": "-", "+-": "+-", "#": "#", "-#": "#", "+#": "#", "+-#": "#", "+\\": "+", "-\\": "-"}
 _BOUNDS = {(name, 2) for name in OPEN}
@@ -74,12 +84,12 @@ class Language:
             raise Unsupported(f"{told(generator)} gives no constants")
         if len(variables) == 1:
             each = [value for (value,) in values]
-            self._conjunction(data, recall, clause, {variables[0][1]: each})  # type: ignore[index]
+            self._conjunction(data, recall, clause, {number(variables[0]): each})
             return
         if len(values) > _MOST_MODES:
             raise Unsupported(f"{told(generator)} gives {len(values):,} tuples of constants, more than {_MOST_MODES:,}")
         for value in values:
-            chosen = {variable[1]: [one] for variable, one in zip(variables, value, strict=True)}  # type: ignore[index]
+            chosen = {number(variable): [one] for variable, one in zip(variables, value, strict=True)}
             self._conjunction(data, recall, clause, chosen)
 
     def _conjunction(self, data: Ground, recall: int, clause: Clause, chosen: Mapping[int, list[Ground]]) -> None:
@@ -132,8 +142,8 @@ class Language:
             for arg, type_ in self._typed(literal):
                 place = next(at)
                 inner = arguments(arg)[0] if indicator(arg)[0] in _MODES and arguments(arg) else arg
-                if is_variable(inner) and inner[1] in places:  # type: ignore[index]
-                    args.append(places[inner[1]])  # type: ignore[index]
+                if is_variable(inner) and number(inner) in places:
+                    args.append(places[number(inner)])
                 else:
                     args.append(self._argument(arg, type_, chosen))
                     _note(arg, place, places)
@@ -151,8 +161,8 @@ class Language:
     def _argument(self, arg: Ground, type_: str, chosen: Mapping[int, list[Ground]]) -> Argument:
         name, args = indicator(arg)[0], arguments(arg)
         if is_variable(arg):
-            if arg[1] in chosen:  # type: ignore[index]
-                return Argument("#", type_, self._constants(chosen[arg[1]]))  # type: ignore[index]
+            if number(arg) in chosen:
+                return Argument("#", type_, self._constants(chosen[number(arg)]))
             return Argument("-", type_)
         if name in _MODES and not args:
             return Argument(_MODES[name], type_)
@@ -165,8 +175,8 @@ class Language:
             if isinstance(inner, tuple) and indicator(inner)[0] in _MODES and not is_variable(inner):  # + - X
                 both = {name, indicator(inner)[0]}
                 return Argument("#" if "#" in both else "+-" if both == {"+", "-"} else _MODES[name], type_)
-            if is_variable(inner) and inner[1] in chosen:  # type: ignore[index]
-                return Argument("#", type_, self._constants(chosen[inner[1]]))  # type: ignore[index]
+            if is_variable(inner) and number(inner) in chosen:
+                return Argument("#", type_, self._constants(chosen[number(inner)]))
             return Argument(_MODES[name], type_)
         return Argument("#", type_, (_constant(arg),))
 
@@ -174,7 +184,8 @@ class Language:
         """Those among the terms; others are told."""
         others = [each for each in data if isinstance(each, tuple)]
         if others and self.clause:
-            self.left_out.append(self.clause.problem(f"the constant {told(others[0])} is left out: it is a compound term"))
+            what = f"the constant {told(others[0])} is left out: it is a compound term"
+            self.left_out.append(self.clause.problem(what))
         return tuple(dict.fromkeys(constant(each) for each in data if not isinstance(each, tuple)))
 
     def _spread(self, mode: Mode, clause: Clause) -> list[Mode]:
@@ -182,7 +193,7 @@ class Language:
         if mode.name != "=" or len(mode.args) != 2:
             return [mode]
         if any(arg.kind in ("-", "+-") for arg in mode.args):
-            mode = replace(mode, args=tuple(Argument("+", a.type, a.constants) if a.kind != "#" else a for a in mode.args))
+            mode = replace(mode, args=tuple(a if a.kind == "#" else Argument("+", a.type) for a in mode.args))
         if all(arg.type != ANY for arg in mode.args):
             return [mode]
         every = dict.fromkeys(type_ for types in self.types.values() for type_ in types if type_ != ANY) or {ANY: None}
@@ -206,7 +217,7 @@ def _note(arg: Ground, place: int, places: dict[int, int]) -> None:
     """Notes the place at which a template's variable is first met."""
     inner = arguments(arg)[0] if indicator(arg)[0] in _MODES and len(arguments(arg)) == 1 else arg
     if is_variable(inner):
-        places.setdefault(inner[1], place)  # type: ignore[index, arg-type]
+        places.setdefault(number(inner), place)
 
 
 def _constant(data: Ground) -> Constant:

@@ -19,22 +19,20 @@ from nppg.bridge.terms import Ground, ground
 from nppg.errors import NppgError, Problem
 from nppg.tilde.declared import askable, bias_of, looking_ahead
 from nppg.tilde.mode_terms import Language
-from nppg.tilde.program import (
-    Clause,
+from nppg.tilde.program import Clause, background, conditional, read, read_text
+from nppg.tilde.task import REGRESS, SETTINGS, Example, Settings, Target, Task
+from nppg.tilde.terms import (
     Indicator,
     arguments,
-    background,
-    conditional,
     elements,
     indicator,
     parts,
-    read,
-    read_text,
     told,
 )
-from nppg.tilde.task import REGRESS, SETTINGS, Example, Settings, Target, Task
 
-KEYS = "example target classes types modes lookahead lookaheads settings background facts examples".split()
+_LANGUAGE = ("example", "types", "modes", "lookahead", "lookaheads")
+_FILES = ("background", "facts", "examples")
+KEYS = (*_LANGUAGE, "target", "classes", "settings", *_FILES)
 OPERATORS = [(200, "fy", "+-"), (200, "fy", "#")]
 _REQUIRED = ("example", "modes", "examples")
 
@@ -56,7 +54,9 @@ def read_own(file: Path) -> Task:
     for node in document.items(entries["lookaheads"], "a list of templates") or () if "lookaheads" in entries else ():
         for first, *others in _literals(document, node):
             language.declare(_clause(document, node, ("lookahead", first, _joined(others))))
-    names = {key: document.text(entries[key], "a file") for key in ("background", "facts", "examples") if key in entries}
+    names = {
+        key: document.text(entries[key], "a file") for key in ("background", "facts", "examples") if key in entries
+    }
     if document.problems or left_out:
         raise NppgError(sorted([*document.problems, *left_out]))
     files = {key: file.parent / name for key, name in names.items() if name}
@@ -172,14 +172,17 @@ def _example(clause: Clause, template: Template, is_number: bool) -> Example:
     args = arguments(clause.data)
     if clause.kind != "fact" or clause.predicate[0] != "example" or not 1 <= len(args) <= 4:
         raise NppgError([clause.problem(f"example(Key, Target, Facts, Weight) is wanted, not {told(clause.data)}")])
-    key, target, facts, weight = (*args, *("?", ("[]",), 1.0)[len(args) - 1 :])
+    default: tuple[Ground, ...] = ("?", ("[]",), 1.0)
+    key, target, facts, weight = (*args, *default[len(args) - 1 :])
     own, count = elements(facts), len(template.types)
     if count and indicator(key) != (template.name, count):
         raise NppgError([clause.problem(f"{told(key)} is no {template.name} of {count} arguments")])
     if own is None or not isinstance(weight, int | float):
         raise NppgError([clause.problem("behind key and target come a list of facts and a number, the weight")])
     name = "" if count else str(key) if isinstance(key, str | int) else told(key)
-    return Example(arguments(key) if count else (), _target(target, is_number), tuple(own), float(weight), clause.line, name)
+    return Example(
+        arguments(key) if count else (), _target(target, is_number), tuple(own), float(weight), clause.line, name
+    )
 
 
 def _target(data: Ground, is_number: bool) -> Target | None:
@@ -188,6 +191,5 @@ def _target(data: Ground, is_number: bool) -> Target | None:
         return None
     several = elements(data)
     if several is not None:
-        return tuple(several)  # type: ignore[return-value, arg-type]
+        return tuple(several)  # type: ignore[arg-type]
     return data if is_number and isinstance(data, int | float) else told(data)
-

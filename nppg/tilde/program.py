@@ -1,20 +1,18 @@
-"""Programs in Prolog that data comes in: facts, rules and declarations with their places, read as data and never run."""
+"""Programs in Prolog that data comes in: facts, rules and declarations with their places, as data that is never run."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from nppg.bias.names import is_name, written
+from nppg.bias.names import written
 from nppg.bridge.bounds import DATA, bounded
 from nppg.bridge.prolog import ask
 from nppg.bridge.terms import Compound, Ground, ground
 from nppg.errors import NppgError, Problem
+from nppg.tilde.terms import Indicator, arguments, elements, indicator, parts, told
 
-Indicator = tuple[str, int]
-
-_LONG = 100  # characters of a term in a message
 _MOST = 50  # mistakes that are told of one file
 _INCLUDES = {("consult", 1), ("reconsult", 1), ("ensure_loaded", 1), ("include", 1), ("[|]", 2)}
 _SILENT = {"op", "style_check", "multifile", "discontiguous"}  # of no meaning once the program is read
@@ -40,83 +38,6 @@ class Clause:
 
     def problem(self, message: str) -> Problem:
         return Problem(self.file, self.line, 0, message)
-
-
-def indicator(data: Ground) -> Indicator:
-    """The name and the arity of a term."""
-    return (str(data[0]), len(data) - 1) if isinstance(data, tuple) else (str(data), 0)
-
-
-def arguments(data: Ground) -> tuple[Ground, ...]:
-    return data[1:] if isinstance(data, tuple) else ()
-
-
-def within(data: Ground) -> Iterator[Indicator]:
-    """The predicates of all terms within one."""
-    unread = [data]
-    while unread:
-        each = unread.pop()
-        yield indicator(each)
-        unread += arguments(each)
-
-
-def is_variable(data: Ground) -> bool:
-    return isinstance(data, tuple) and data[0] == "$VAR"
-
-
-def elements(data: Ground) -> list[Ground] | None:
-    """Those of a list, None for what is none."""
-    found = []
-    while indicator(data) == ("[|]", 2):
-        assert isinstance(data, tuple)
-        found.append(data[1])
-        data = data[2]
-    return found if data == ("[]",) else None
-
-
-def parts(data: Ground, name: str = ",") -> list[Ground]:
-    """Those that an operator joins."""
-    found = []
-    while indicator(data) == (name, 2):
-        assert isinstance(data, tuple)
-        found.append(data[1])
-        data = data[2]
-    return [*found, data]
-
-
-def told(data: Ground) -> str:
-    """A term as people write it, cut short where it is long."""
-    text = _told(data)
-    return text if len(text) <= _LONG else f"{text[: _LONG - 3]}..."
-
-
-def _told(data: Ground) -> str:
-    if not isinstance(data, tuple):
-        return written(data) if isinstance(data, str) and (is_name(data) or data[:1].isalnum()) else str(data)
-    if is_variable(data):
-        number = int(data[1])
-        return chr(ord("A") + number % 26) + (str(number // 26) if number >= 26 else "")
-    items = elements(data)
-    if items is not None:
-        return f"[{', '.join(map(_told, items))}]"
-    name, args = data[0], [_told(each) for each in data[1:]]
-    if len(args) == 2 and not is_name(name):
-        return f"{args[0]}{name}{args[1]}"
-    if len(args) == 1 and not is_name(name):
-        return f"{name}{args[0]}"
-    return f"{_told(name)}({', '.join(args)})"
-
-
-def canonical(data: Ground) -> str:
-    """A term as Prolog reads it, whatever the operators."""
-    if not isinstance(data, tuple):
-        return written(data)
-    if is_variable(data):
-        return f"V{data[1]}"
-    items = elements(data)
-    if items is not None:
-        return f"[{', '.join(map(canonical, items))}]"
-    return f"{written(data[0])}({', '.join(map(canonical, data[1:]))})"
 
 
 def read(path: Path, operators: Sequence[tuple[int, str, str]] = ()) -> list[Clause]:
@@ -180,7 +101,7 @@ def _included(data: Ground, path: Path, folder: Path) -> list[Path] | None:
     specs = elements(data) if indicator(data) == ("[|]", 2) else list(arguments(data))
     found = []
     for spec in specs or ():
-        candidates = [path.parent / f"{spec}{suffix}" for suffix in ("", ".pl", ".b", ".kb")] if type(spec) is str else []
+        candidates = [path.parent / f"{spec}{suffix}" for suffix in ("", ".pl", ".b", ".kb") if type(spec) is str]
         here = [each for each in candidates if each.is_file() and each.resolve().is_relative_to(folder.resolve())]
         if not here:
             return None
@@ -188,23 +109,9 @@ def _included(data: Ground, path: Path, folder: Path) -> list[Path] | None:
     return found
 
 
-def match(pattern: Ground, data: Ground, bound: dict[int, Ground]) -> bool:
-    """Whether a ground term is an instance of a pattern; notes in `bound` what the pattern's variables stand for."""
-    if is_variable(pattern):
-        return bound.setdefault(pattern[1], data) == data  # type: ignore[index, arg-type]
-    if not isinstance(pattern, tuple):
-        return pattern == data and isinstance(pattern, str) == isinstance(data, str)
-    return (
-        isinstance(data, tuple)
-        and len(data) == len(pattern)
-        and data[0] == pattern[0]
-        and all(map(match, pattern[1:], data[1:], [bound] * (len(data) - 1)))
-    )
-
-
 def conditional(clauses: Iterable[Clause], left_out: list[Problem]) -> list[Clause]:
-    """Without what stands behind a condition that is not so: `:- if(Goal)` to `:- endif`. The condition is not run: what
-    asks for SWI-Prolog is so, what asks for anything else is not."""
+    """Without what stands behind a condition that is not so: `:- if(Goal)` to `:- endif`. The condition is not run:
+    what asks for SWI-Prolog is so, what asks for anything else is not."""
     found, open_ones = [], [(True, True)]  # whether the branch counts, and whether one of its conditional has
     for clause in clauses:
         name, arity = clause.predicate if clause.kind == "directive" else ("", 0)
@@ -256,9 +163,9 @@ def background(
     left_out: list[Problem],
     given: Collection[Indicator] = (),
 ) -> Background:
-    """The facts, and a text of Prolog with the rules, but for what a program that is not trusted may not do: that is left
-    out, with all that depends on it, and told; so are directives. `asked` are predicates that are tested, `given` those
-    that examples have facts of."""
+    """The facts, and a text of Prolog with the rules, but for what a program that is not trusted may not do: that is
+    left out, with all that depends on it, and told; so are directives. `asked` are predicates that are tested, `given`
+    those that examples have facts of."""
     clauses = list(clauses)
     own = [clause for clause in clauses if clause.kind != "directive"]
     defined = {clause.predicate for clause in own}
@@ -292,13 +199,14 @@ def background(
     calls = {head: frozenset(each for clause in its for each in clause.calls) for head, its in rules.items()}
     reached = reachable(asked, calls)
     for clause in kept:
-        for called in clause.calls:
-            if called not in defined and called not in dynamic:
-                dynamic.add(called)
-                if called not in given and clause.predicate in reached:
-                    left_out.append(clause.problem(f"{called[0]}/{called[1]} is called and nowhere defined: it fails"))
+        for name, arity in clause.calls:
+            if (name, arity) not in defined | dynamic:
+                dynamic.add((name, arity))
+                if (name, arity) not in given and clause.predicate in reached:
+                    left_out.append(clause.problem(f"{name}/{arity} is called and nowhere defined: it fails"))
     lines += [f":- dynamic({written(name)}/{arity}).\n" for name, arity in sorted(dynamic - defined)]
-    mixed = sorted((clause for clause in kept if clause.predicate in rules), key=lambda each: each.predicate)
+    mixed = [clause for clause in kept if clause.predicate in rules]
+    mixed.sort(key=lambda each: each.predicate)
     as_text = iter(ask("texts", [clause.data for clause in mixed if clause.kind == "fact"]))
     lines += [clause.text if clause.kind == "rule" else f"{next(as_text)}.\n" for clause in mixed]
     facts = tuple(clause.data for clause in kept if clause.predicate not in rules)

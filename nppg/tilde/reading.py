@@ -18,8 +18,8 @@ _WHAT = "ACE's is a .s file, Aleph's a .b or .pl file, nppg's a .yaml file"
 
 
 def read_task(sources: Sequence[str | Path]) -> Task:
-    """The task of a folder, of a file without its ending, or of files. Raises NppgError for what is wrong with them, and
-    where there are several tasks."""
+    """The task of a folder, of a file without its ending, or of files. Raises NppgError for what is wrong with them,
+    and where there are several tasks."""
     paths = [Path(each) for each in sources]
     main, beside = _single(paths[0]) if len(paths) == 1 else _several(paths)
     if main.suffix == ".yaml":
@@ -54,8 +54,8 @@ def _single(path: Path) -> tuple[Path, list[Path]]:
 
 
 def _mains(folder: Path) -> list[Path]:
-    """The data sets of a folder; where there are none, those of its folders. Of Aleph's files those come first that have
-    examples."""
+    """The data sets of a folder; where there are none, those of its folders. Of Aleph's files only those count that
+    have examples, if some have."""
     found = sorted(each for each in folder.iterdir() if _is_main(each))
     if found:
         return [each for each in found if each.suffix != ".b" or each.with_suffix(".f").is_file()] or found
@@ -87,7 +87,11 @@ def _several(paths: Sequence[Path]) -> tuple[Path, list[Path]]:
         raise NppgError(missing)
     mains = [path for path in paths if path.suffix in _MAIN]
     if len(mains) != 1:
-        what = "there is no file that says what is learned" if not mains else f"{mains[0]} and {mains[1]} are two data sets"
+        what = (
+            "there is no file that says what is learned"
+            if not mains
+            else f"{mains[0]} and {mains[1]} are two data sets"
+        )
         raise NppgError(f"{what}: ACE has one .s file, Aleph one .b file, nppg one .yaml file")
     wrong = [path for path in paths if path != mains[0] and path.suffix not in _BESIDE.get(mains[0].suffix, ())]
     if wrong:
