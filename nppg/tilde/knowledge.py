@@ -82,7 +82,7 @@ class Knowledge:
         return domain
 
     def _renamed(self, kind: str, facts: Iterable[Ground]) -> list[Ground]:
-        found = plain(facts)
+        found = [each[0] if isinstance(each, tuple) and len(each) == 1 else each for each in plain(facts)]
         if not any(kind == each and name != own[0] for (each, own), name in self._names.items()):
             return found
         names = {own: name for (each, own), name in self._names.items() if each == kind}
