@@ -1,6 +1,6 @@
 """ACE's own examples, in the folder that NPPG_TILDE names, against what ACE printed of them:
 
-    NPPG_TILDE=FOLDER pytest tests/test_tilde_golden.py
+NPPG_TILDE=FOLDER pytest tests/test_tilde_golden.py
 """
 
 import os

@@ -120,9 +120,7 @@ class Given:
         if not pruning:
             self._aside(self.values["pruning"], f"is none of nppg's: {', '.join(_PRUNING)}")
         if self.value("accuracy", 1.0) not in (1, 1.0):
-            self._aside(
-                self.values["accuracy"], "is not carried over: a node is split until its examples are of one class"
-            )
+            self._aside(self.values["accuracy"], "is not carried over: only a pure node is a leaf")
         share = self.value("random_validation_set", 0)
         return Settings(
             mode=kind,

@@ -76,7 +76,7 @@ def _told(data: Ground) -> str:
     if items is not None:
         return f"[{', '.join(map(_told, items))}]"
     name, args = data[0], [_told(each) for each in data[1:]]
-    if len(args) == 2 and not is_name(name):
+    if len(args) == 2 and not is_name(name) and name != "#":
         return f"{args[0]}{name}{args[1]}"
     if len(args) == 1 and not is_name(name):
         return f"{name}{args[0]}"
