@@ -21,6 +21,16 @@ _NOISE = 0.05
 _ELEMENTS = ("c", "n", "o", "h", "f")
 _GROWTH = 2.5  # twice the examples may take so many times as long
 _MB = 2**10  # KiB
+_LANGUAGE = """
+example: molecule(KEY)
+modes:
+  - {literal: "atom(KEY, +-id, #element, -charge)", lookahead: 1}
+  - {literal: "bond(KEY, +id, -id, #kind)", lookahead: 1}
+  - "bond(KEY, +id, +id, -kind)"
+  - "ring(KEY, +id)"
+  - "chain(KEY, +id)"
+  - "+charge >= #"
+"""
 
 
 def rows() -> Iterator[Row]:
@@ -59,32 +69,13 @@ def made(size: int, kind: str) -> tuple[list, list, list[str]]:
 
 def measure(kind: str, size: int) -> dict[str, float]:
     """What learning takes and gives."""
-    from nppg.bias.declarations import Argument, Mode, Template
     from nppg.tilde import TildeClassifier
-    from nppg.tilde.examples import bias_of
     from nppg.trees.tree import leaves
 
-    def mode(name: str, *args: str, lookahead: int = 0) -> Mode:
-        key = (Argument("+", "mol"),) if kind == "keys" else ()
-        return Mode(name, (*key, *(_argument(arg) for arg in args)), lookahead)
-
-    def _argument(text: str) -> Argument:
-        sign = next(each for each in ("+-", "+", "-", "#") if text.startswith(each))
-        return Argument(sign, text.removeprefix(sign))
-
-    key = ("mol",) if kind == "keys" else ()
-    types = {"atom": (*key, "id", "element", "charge"), "bond": (*key, "id", "id", "kind"), "ring": (*key, "id")}
-    types["chain"] = (*key, "id")
-    modes = (
-        mode("atom", "+-id", "#element", "-charge", lookahead=1),
-        mode("bond", "+id", "-id", "#kind", lookahead=1),
-        mode("bond", "+id", "+id", "-kind"),
-        mode("ring", "+id"),
-        mode("chain", "+id"),
-        Mode(">=", (Argument("+", "charge"), Argument("#", "charge", (np.inf,)))),
-    )
     examples, shared, classes = made(size, kind)
-    model = TildeClassifier(bias_of(Template("molecule", key), types, modes), facts=shared, granularity=20)
+    key = "+mol, " if kind == "keys" else ""
+    model = TildeClassifier(_LANGUAGE.replace("KEY, ", key).replace("(KEY)", "(+mol)" if key else ""), facts=shared)
+    model.set_params(granularity=20)
     start = time.process_time()
     model.fit(examples, classes)
     seconds = time.process_time() - start

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import warnings
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,11 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nppg import NppgError
-from nppg.bias.declarations import Argument, Follower, Lookahead, Mode, Template
 from nppg.bias.refinement import Refiner
-from nppg.logic.query import OPEN, Literal, Var
-from nppg.tilde import Settings, Task, TildeClassifier, TildeRegressor
-from nppg.tilde.examples import bias_of
+from nppg.logic.query import Literal, Var
+from nppg.tilde import Settings, Task, TildeClassifier, TildeRegressor, language
 from nppg.tilde.knowledge import Knowledge
 from nppg.tilde.learning import Learner, cross_validated, folds
 from nppg.tilde.model_file import read_model, write_model
@@ -23,16 +20,16 @@ from nppg.tilde.task import Example
 from nppg.trees.pruning import added_errors, expected_errors, pessimistic, safe
 from nppg.trees.tree import Leaf, Node, leaves
 
-PLUS, MINUS = Argument("+", "mol"), Argument("-", "id")
-BIAS = bias_of(
-    Template("m", ("mol",)),
-    {"atom": ("mol", "id", "element", "charge"), "bond": ("mol", "id", "id")},
-    (
-        Mode("atom", (PLUS, MINUS, Argument("#", "element"), Argument("-", "charge")), lookahead=1),
-        Mode("bond", (PLUS, Argument("+", "id"), MINUS), lookahead=1),
-        Mode(">=", (Argument("+", "charge"), Argument("#", "charge", (OPEN[">="],)))),
-    ),
-)
+LANGUAGE = """
+example: m(+mol)
+types: {atom: [mol, id, element, charge], bond: [mol, id, id]}
+modes:
+  - {literal: "atom(+mol, -id, #element, -charge)", lookahead: 1}
+  - {literal: "bond(+mol, +id, -id)", lookahead: 1}
+  - "+charge >= #"
+"""
+BIAS = language(LANGUAGE)
+NUMBERED = "example: e(+k)\nmodes: ['p(+k, #n)']"
 
 
 def molecules(count: int, seed: int = 0) -> tuple[list[int], list[tuple], list[str]]:
@@ -51,16 +48,14 @@ def models(keys: list[int], facts: list[tuple]) -> list[list[tuple]]:
     return [[(name, *args) for name, own, *args in facts if own == key] for key in keys]
 
 
-def without_key() -> object:
-    modes = tuple(replace(mode, args=tuple(a for a in mode.args if a.type != "mol")) for mode in BIAS.modes)
-    return bias_of(Template("example", ()), {name: types[1:] for name, types in BIAS.types.items()}, modes)
+WITHOUT_KEY = LANGUAGE.replace("m(+mol)", "example").replace("+mol, ", "").replace("[mol, ", "[")
 
 
 def test_keys_and_models_give_one_tree_that_is_exact():
     keys, facts, classes = molecules(60)
     by_key = TildeClassifier(BIAS, facts=facts).fit(keys, classes)
     own = models(keys, facts)
-    by_model = TildeClassifier(without_key()).fit(own, classes)
+    by_model = TildeClassifier(WITHOUT_KEY).fit(own, classes)
     assert by_key.score(keys, classes) == by_model.score(own, classes) == 1
     assert leaves(by_key.model_.tree) == leaves(by_model.model_.tree) == 2
     assert by_key.rules_text().splitlines()[0].startswith("m(A, yes) :- atom(A, B, n, C), C >= 0.")
@@ -70,7 +65,7 @@ def test_keys_and_models_give_one_tree_that_is_exact():
 
 def test_facts_of_all_and_of_one_and_clauses_make_one_predicate():
     examples = [Example((1,), "a", facts=(("p", 1, 5),)), Example((2,), "b"), Example((3,), "a"), Example((4,), "b")]
-    bias = bias_of(Template("e", ("k",)), {"p": ("k", "n")}, (Mode("p", (Argument("+", "k"), Argument("#", "n"))),))
+    bias = language(NUMBERED)
     task = Task("t", bias, tuple(examples), (("p", 2, 4), ("q", 4)), "p(3, 5). p(X, 4) :- q(X).")
     knowledge = Knowledge(task)
     assert sorted(knowledge.solutions("p", 2)) == [(2, 4), (3, 5), (4, 4)]
@@ -83,43 +78,30 @@ def test_facts_of_all_and_of_one_and_clauses_make_one_predicate():
 
 
 def test_a_name_of_the_contract_is_a_name_like_others():
-    bias = bias_of(
-        Template("e", ("k",)), {"cost": ("k", "n")}, (Mode("cost", (Argument("+", "k"), Argument("#", "n"))),)
-    )
+    bias = "example: e(+k)\nmodes: ['cost(+k, #n)']"
     model = TildeClassifier(bias, facts=[("cost", "a", 1), ("cost", "b", 1), ("goal",)], minimal_cases=1)
     assert model.fit(["a", "b", "c"], [1, 1, 0]).predict(["b", "c"]).tolist() == [1, 0]
 
 
 def test_recall_and_lookahead_templates():
-    triangle = Mode("t", (Argument("+-", "o"),), recall=1)
-    template = Lookahead("in", (None, None), (Follower("t", (1,)), Follower("c", (1, Argument("#", "d", ("up",))))))
-    bias = replace(
-        bias_of(
-            Template("example", ()),
-            {"t": ("o",), "in": ("o", "o"), "c": ("o", "d")},
-            (triangle, Mode("in", (Argument("+", "o"), Argument("-", "o")))),
-        ),
-        lookaheads=(template,),
-    )
-    refiner = Refiner(bias)
-    first = (Literal("t", (Var(0),)),)
-    found = {each.literals for each in refiner.refinements(first)}
-    inside = Literal("in", (Var(0), Var(1)))
+    text = """
+modes:
+  - {literal: t(+-o), recall: 1}
+  - in(+o, -o)
+lookaheads: ["in(A, B), t(B), c(B, [up])"]
+lookahead: 1
+"""
+    first, inside = (Literal("t", (Var(0),)),), Literal("in", (Var(0), Var(1)))
+    found = {each.literals for each in Refiner(language(text)).refinements(first)}
     assert (inside,) in found
     assert not any(each[0].name == "t" for each in found)  # recall 1
     assert not any(len(each) > 1 for each in found)  # the template's t is one too many, too
-    refiner = Refiner(replace(bias, modes=(replace(triangle, recall=0), *bias.modes[1:])))
-    found = {each.literals for each in refiner.refinements(first)}
+    found = {each.literals for each in Refiner(language(text.replace(", recall: 1", ""))).refinements(first)}
     assert (inside, Literal("t", (Var(1),)), Literal("c", (Var(1), "up"))) in found
 
 
 def test_one_name_with_two_arities():
-    types = {"p": ("k",), "p/2": ("k", "n")}
-    bias = bias_of(
-        Template("e", ("k",)),
-        types,
-        (Mode("p", (Argument("+", "k"),)), Mode("p", (Argument("+", "k"), Argument("#", "n")))),
-    )
+    bias = language("example: e(+k)\nmodes: ['p(+k)', 'p(+k, #n)']")
     assert bias.types_of("p", 2) == ("k", "n") and bias.types_of("p", 3) is None
     model = TildeClassifier(bias, facts=[("p", 1), ("p", 2), ("p", 2, 7), ("p", 3, 7)], minimal_cases=1, pruning="none")
     assert model.fit([1, 2, 3, 4], list("abcd")).predict([1, 2, 3, 4]).tolist() == list("abcd")

@@ -1,7 +1,7 @@
 """TILDE in scikit-learn's manner, which need not be installed.
 
 X is a sequence of examples: keys into the `facts`, or collections of facts, one for each example, under a language
-`bias`; or, without a bias, a table whose columns are tested. See docs/tilde.md.
+`bias`, a text of YAML or its file; or, without a bias, a table whose columns are tested. See docs/tilde.md.
 """
 
 from __future__ import annotations
@@ -24,6 +24,8 @@ from nppg.tilde.examples import Columns, columns_of, examples_of, table_examples
 from nppg.tilde.knowledge import Knowledge
 from nppg.tilde.learning import Learner
 from nppg.tilde.model import Model, Passes
+from nppg.tilde.own import language
+from nppg.tilde.program import read_text
 from nppg.tilde.targets import InputError, Targets, classes_of, numbers_of, weights_of
 from nppg.tilde.task import CLASSIFY, REGRESS, SETTINGS, Example, Settings, Task
 
@@ -120,9 +122,11 @@ class Estimator:
     def _bias(self) -> LanguageBias:
         if isinstance(self.bias, LanguageBias):
             return self.bias
+        if isinstance(self.bias, str) and "\n" in self.bias:
+            return language(self.bias)
         if isinstance(self.bias, str | Path):
-            return LanguageBias.load(self.bias)
-        raise InputError(f"bias is a LanguageBias, the path of one, or None for a table, not {self.bias!r}")
+            return language(read_text(Path(self.bias)), str(self.bias))
+        raise InputError(f"bias is a text of YAML, the path of one, or None for a table, not {self.bias!r}")
 
     def _examples(self, X: Any, bias: LanguageBias, columns: Columns | None) -> list[Example]:
         if columns:

@@ -9,19 +9,20 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from nppg.bias.declarations import Argument, Mode, Template, TreeLimits
+from nppg.bias.declarations import Argument, Mode, Template
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.plain import alone
 from nppg.bridge.terms import Ground
 from nppg.logic.query import OPEN
+from nppg.tilde.declared import bias_of
 from nppg.tilde.targets import InputError
 from nppg.tilde.task import Example
 
-UNBOUNDED = 10**6  # existential variables in a query
 _VALUE, _NUMBER, _NAME, _COLUMN = "value", "number", "name", "column"
 
 
@@ -42,12 +43,8 @@ class Columns:
             value = Argument("-", _NUMBER) if kind == _NUMBER else Argument("#", _NAME)
             modes.append(Mode(_VALUE, (place, value), lookahead=int(kind == _NUMBER)))
         bound = Mode("=<", (Argument("+", _NUMBER), Argument("#", _NUMBER, (OPEN["=<"],))))
-        return bias_of(Template("example", ()), {_VALUE: (_COLUMN, _NUMBER)}, (*modes, bound))
-
-
-def bias_of(template: Template, types: dict[str, tuple[str, ...]], modes: tuple[Mode, ...]) -> LanguageBias:
-    """A language bias that was made in Python, without a limit on variables."""
-    return LanguageBias("", (template,), None, types, {}, modes, 1, UNBOUNDED, TreeLimits())
+        types = {(_VALUE, 2): (_COLUMN, _NUMBER)}
+        return bias_of(Path("the table"), Template("example", ()), types, (*modes, bound), (), 1)
 
 
 def examples_of(X: Any, arity: int) -> list[Example]:

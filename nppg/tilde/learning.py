@@ -10,7 +10,7 @@ import numpy as np
 from nppg.answers.coverage import Coverage, root_table
 from nppg.bias.declarations import TreeLimits
 from nppg.bias.refinement import Refiner
-from nppg.errors import NppgError
+from nppg.errors import NppgError, Problem
 from nppg.tilde.knowledge import Knowledge
 from nppg.tilde.model import Model, Passes, probabilities
 from nppg.tilde.targets import Targets, targets_of
@@ -47,6 +47,9 @@ class Learner:
             raise NppgError(problems)
         self.bias = self.knowledge.complete(task.bias)
         self.refiner = Refiner(self.bias)
+        if not self.refiner.refinements(()):
+            message = f"there is no test of {task.template}: no mode has + arguments of its types alone, and constants"
+            raise NppgError([Problem(task.bias.file, 0, 0, message)])
         self.passes = Passes(self.knowledge, self.bias, task.examples)
         table = root_table(self.knowledge.domain, self.bias, self.refiner)
         self.coverage = Coverage(table, self.passes.states, self.passes.actions)

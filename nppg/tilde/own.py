@@ -6,12 +6,13 @@ name; behind them may come a list of the example's own facts, and its weight. Al
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import yaml
 
 from nppg.bias.declarations import Template
+from nppg.bias.language_bias import LanguageBias
 from nppg.bias.names import number
 from nppg.bias.nodes import Document
 from nppg.bridge.prolog import ask
@@ -49,11 +50,7 @@ def read_own(file: Path) -> Task:
     types = _types(document, entries.get("types"))
     template = _template(document, entries.get("example"))
     left_out: list[Problem] = []
-    language = Language(types, _no_constants, left_out)
-    steps = _modes(document, entries.get("modes"), language)
-    for node in document.items(entries["lookaheads"], "a list of templates") or () if "lookaheads" in entries else ():
-        for first, *others in _literals(document, node):
-            language.declare(_clause(document, node, ("lookahead", first, _joined(others))))
+    found, steps = _language(document, entries, types, left_out)
     names = {
         key: document.text(entries[key], "a file") for key in ("background", "facts", "examples") if key in entries
     }
@@ -65,11 +62,11 @@ def read_own(file: Path) -> Task:
     if not examples:
         raise NppgError([Problem(str(files["examples"]), 0, 0, "there is no example in it")])
     theirs = {indicator(fact) for each in examples for fact in each.facts}
-    asked = [(mode.name, len(mode.args)) for mode in language.modes]
+    asked = [(mode.name, len(mode.args)) for mode in found.modes]
     shared = [*clauses.get("background", ()), *clauses.get("facts", ())]
     base = background(shared, asked, left_out, theirs)
     most = document.whole(entries.get("lookahead"), "lookahead", max([0, *steps.values()]))
-    modes, lookaheads = askable(language.modes, language.lookaheads, base, theirs, file, left_out)
+    modes, lookaheads = askable(found.modes, found.lookaheads, base, theirs, file, left_out)
     target = document.text(entries["target"], "a name") if "target" in entries else None
     listed = document.items(entries["classes"], "a list of classes") if "classes" in entries else None
     return Task(
@@ -85,6 +82,36 @@ def read_own(file: Path) -> Task:
         settings=settings,
         left_out=tuple(left_out),
     )
+
+
+def language(text: str, file: str = "") -> LanguageBias:
+    """The language bias of a text in the format of a task: of `example`, `types`, `modes`, `lookahead`, `lookaheads`.
+    Raises NppgError with its mistakes."""
+    document = Document(file or "the language bias", text)
+    entries = document.mapping(document.compose(), "a language bias", KEYS)
+    types, template = _types(document, entries.get("types")), _template(document, entries.get("example"))
+    left_out: list[Problem] = []
+    found, steps = _language(document, entries, types, left_out)
+    most = document.whole(entries.get("lookahead"), "lookahead", max([0, *steps.values()]))
+    if document.problems or left_out:
+        raise NppgError(sorted([*document.problems, *left_out]))
+    modes, lookaheads = looking_ahead(found.modes, steps), tuple(found.lookaheads)
+    return bias_of(Path(document.file), template, types, modes, lookaheads, most)
+
+
+def _language(
+    document: Document,
+    entries: Mapping[str, yaml.Node],
+    types: dict[Indicator, tuple[str, ...]],
+    left_out: list[Problem],
+) -> tuple[Language, dict[Indicator, int]]:
+    """The modes and the templates of lookahead, and the lookahead of predicates."""
+    found = Language(types, _no_constants, left_out)
+    steps = _modes(document, entries.get("modes"), found)
+    for node in document.items(entries["lookaheads"], "a list of templates") or () if "lookaheads" in entries else ():
+        for first, *others in _literals(document, node):
+            found.declare(_clause(document, node, ("lookahead", first, _joined(others))))
+    return found, steps
 
 
 def _no_constants(variables: Ground, generator: Ground, clause: Clause) -> list[tuple[Ground, ...]]:
@@ -118,7 +145,8 @@ def _types(document: Document, node: yaml.Node | None) -> dict[Indicator, tuple[
 
 def _template(document: Document, node: yaml.Node | None) -> Template:
     for (literal,) in _literals(document, node) if node else ():
-        return Template(indicator(literal)[0], tuple(told(arg) for arg in arguments(literal)))
+        args = (arguments(arg)[0] if indicator(arg) == ("+", 1) else arg for arg in arguments(literal))
+        return Template(indicator(literal)[0], tuple(map(told, args)))
     return Template("example", ())
 
 
