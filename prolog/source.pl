@@ -121,7 +121,9 @@ rule(Term, Line, [Line, rule, Data, Text, Calls, Doubts, Refusal]) :-
     catch(clause_doubts(Clause, Found), nppg_refused(What, _), true),
     (   nonvar(What)
     ->  Doubts = [],
-        refusal(What, Refusal)
+        refusal(What, Advice),
+        once(( sub_atom(Advice, Before, _, _, ': if its author'), sub_atom(Advice, 0, Before, _, Refusal)
+             ; Refusal = Advice ))
     ;   findall([DoubtName, DoubtArity], member(DoubtName/DoubtArity, Found), Doubts),
         Refusal = ''
     ),

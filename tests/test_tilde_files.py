@@ -157,7 +157,7 @@ def test_what_is_unknown_is_told(tmp_path):
     task = read_task([keyed(tmp_path, settings)])
     assert told(task) == [
         (16, "minimal_case(3) is left aside: it is no setting that nppg knows (did you mean 'minimal_cases'?)"),
-        (20, "constraint(x) is left aside: it is no setting that nppg knows"),
+        (20, "constraint(x) is left aside: it is not carried over: modes and types alone say what may be tested"),
         (17, "heuristic(gini) is left aside: it is none of nppg's heuristics: gain or gainratio or gain_ratio"),
         (18, "accuracy(0.8) is left aside: it is not carried over: only a pure node is a leaf"),
         (19, "the mode holdss(+_, -_) is left out: there is no fact or rule of it (did you mean 'holds'?)"),

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from nppg.bridge.terms import Ground
 from nppg.tilde.ace_settings import Given
-from nppg.tilde.constants import Facts, Rules, answers, equal_frequency, least_entropy
+from nppg.tilde.constants import Facts, Rules, asked, equal_frequency, least_entropy
 from nppg.tilde.mode_terms import Unsupported
 from nppg.tilde.program import Background, Clause
 from nppg.tilde.task import Example
@@ -47,7 +47,7 @@ class Constants:
         try:
             return [tuple(bound[number(each)] for each in wanted) for bound in self.facts.solutions(goals, {})]
         except Rules:
-            return answers(self.base, goals, wanted)
+            return asked(self.base, goals, wanted)
         except KeyError:
             raise Unsupported("a variable of the constants is not in the generator") from None
 

@@ -21,7 +21,7 @@ _VALUE_NAMES = """
 accuracy classes confidence_level discretize exhaustive_lookahead ftest heuristic load max_lookahead minimal_cases
 pruning random_validation_set tilde_maxdepth tilde_mode typed_language
 """
-_TERM_NAMES = "euclid predicate predict root to_be_discretized type discretization"
+_TERM_NAMES = "euclid predicate predict root to_be_discretized type"
 _SILENT_NAMES = """
 add_predictions_to bg_file combination_rule compatibility example_cache execute expert_implicit_language
 generation_order granularity huge intra_literal_sharing kb_file language_warnings leave_out log_pid
@@ -32,6 +32,14 @@ warmr_maxdepth write_predictions
 """
 _VALUES, _TERMS = _VALUE_NAMES.split(), _TERM_NAMES.split()
 _SILENT = frozenset(_SILENT_NAMES.split())  # of no meaning for the tree
+_NOT_CARRIED_OVER = {
+    "constraint": "modes and types alone say what may be tested",
+    "discretization": "thresholds are those of to_be_discretized, or found anew at each node: rmode(+X =< #)",
+    "m_estimate": "a leaf predicts by the shares of its examples",
+    "random_test_set": "nppg tilde predict judges other examples",
+    "sampling_strategy": "all examples are looked at",
+    "special_test": "constants are those of the modes",
+}
 _HEURISTICS = {"gain": "gain", "gainratio": "gain_ratio", "gain_ratio": "gain_ratio"}
 _PRUNING = {"c45": "c45", "none": "none", "no": "none", "off": "none", "safe": "safe", "vsb": "validation"}
 
@@ -57,14 +65,12 @@ class Given:
                 self.terms.setdefault(name, []).append(clause)
             elif (name, arguments(clause.data)) in (("sampling_strategy", ("none",)), ("discretization", ("none",))):
                 continue
+            elif name in _NOT_CARRIED_OVER:
+                self._aside(clause, f"is not carried over: {_NOT_CARRIED_OVER[name]}")
             elif name not in _SILENT:
                 self._aside(clause, f"is no setting that nppg knows{suggestion(name, known)}")
             elif name == "leave_out" and arguments(clause.data) != ("false",):
                 self._aside(clause, "is for the command line: --cross-validate")
-        for name in ("discretization",):
-            for clause in self.terms.get(name, ()):
-                if arguments(clause.data)[:1] != ("none",) and indicator(arguments(clause.data)[0])[0] != "bounds":
-                    self._aside(clause, "is not carried over: thresholds are found anew at each node")
 
     def _aside(self, clause: Clause, why: str) -> None:
         self.left_out.append(clause.problem(f"{told(clause.data)} is left aside: it {why}"))

@@ -11,7 +11,7 @@ from nppg.bias.declarations import ANY, Template
 from nppg.bridge.terms import Ground
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.tilde.aleph_settings import SEARCH, SILENT, TREE
-from nppg.tilde.constants import answers
+from nppg.tilde.constants import asked
 from nppg.tilde.declared import askable, bias_of, looking_ahead
 from nppg.tilde.mode_terms import Language, own_type
 from nppg.tilde.program import Background, Clause, background, conditional, read
@@ -257,7 +257,8 @@ class _Reading:
             for each in reversed(constants[:-1]):
                 joined = (",", each, joined)
             given = (free[i] if indicator(arg) == ("#", 1) else arg for i, arg in enumerate(args))
-            return replace(clause, data=("rmode", ("#", (":", joined, generator), (literal[0], *given))))
+            mode: Ground = ("rmode", ("#", (":", joined, generator), (literal[0], *given)))
+            return replace(clause, data=mode, text=f"the mode {told(literal)}")
         return replace(clause, data=("rmode", (literal[0], *args)))
 
 
@@ -269,7 +270,7 @@ class _Constants:
         self.facts = [("value", type_, value) for type_, its in values.items() for value in its]
 
     def __call__(self, variables: Ground, generator: Ground, clause: Clause) -> list[tuple[Ground, ...]]:
-        rows = answers(self.base, [generator], arguments(variables), self.facts)
+        rows = asked(self.base, [generator], arguments(variables), self.facts)
         return [row for row in rows if not any(isinstance(value, tuple) for value in row)]
 
 

@@ -11,8 +11,10 @@ import numpy as np
 from nppg.bias.declarations import Template
 from nppg.bias.names import written
 from nppg.bridge.terms import Ground
+from nppg.errors import NppgError
 from nppg.tilde.declared import bias_of
 from nppg.tilde.knowledge import Knowledge
+from nppg.tilde.mode_terms import Unsupported
 from nppg.tilde.program import Background, reachable
 from nppg.tilde.task import Task
 from nppg.tilde.terms import (
@@ -94,6 +96,18 @@ def answers(
     bias = bias_of(Path(), Template("example", ()), {}, (), (), 0)
     task = Task("constants", bias, (), (*known, *facts), text + helper)
     return Knowledge(task).solutions(_HELPER, len(variables))
+
+
+def asked(
+    base: Background, goals: Sequence[Ground], variables: Sequence[Ground], facts: Sequence[Ground] = ()
+) -> list[tuple[Ground, ...]]:
+    """The same; raises Unsupported where they cannot be asked so."""
+    try:
+        return answers(base, goals, variables, facts)
+    except NppgError as error:
+        message = error.problems[0].message.partition(" in the state")[0]
+        what = "asking for its constants"
+        raise Unsupported(message.replace(f"'{_HELPER}'/{len(variables)}", what)) from None
 
 
 def equal_frequency(values: Sequence[float], most: int) -> list[float]:

@@ -48,7 +48,7 @@ def askable(
     ]
     if not kept:
         what = "no mode declares what to test" if not modes else "no mode can be asked"
-        raise NppgError([*left_out, Problem(str(file), 0, 0, what)] if modes else [Problem(str(file), 0, 0, what)])
+        raise NppgError([*left_out, Problem(str(file), 0, 0, what)])
     templates = tuple(
         template
         for template in lookaheads

@@ -92,8 +92,10 @@ class Knowledge:
 
     @cached_property
     def predicates(self) -> set[Indicator]:
-        """All that a test may be about."""
+        """All that a test may be about: what is given, and what Prolog has that only looks at its arguments."""
         found = {*self.domain.predicates, *self.domain.fluents, *self.domain.static}
+        others = [list(each) for each in self.asked(self.task.bias) if each not in found]
+        found |= {(name, arity) for name, arity in ask("harmless_built_in", others)}
         return found - {(name, own[1]) for (_, own), name in self._names.items() if name != own[0]}
 
     @staticmethod

@@ -58,7 +58,8 @@ class Language:
             else:
                 self.looking[indicator(args[0])] = 1
         except Unsupported as error:
-            self.left_out.append(clause.problem(f"{told(clause.data)} is left out: {error}"))
+            shown = clause.text if clause.kind == "directive" and clause.text else told(clause.data)
+            self.left_out.append(clause.problem(f"{shown} is left out: {error}"))
 
     def _mode(self, data: Ground, clause: Clause) -> None:
         recall = 0
@@ -103,7 +104,7 @@ class Language:
             raise Unsupported(f"{names.pop()} is not tested")
         if indicator(first) in _BOUNDS and arguments(first)[1] == "#":
             name, (bounded, _) = indicator(first)[0], arguments(first)
-            type_ = own_type(bounded)
+            type_ = self.types.get(indicator(first), (own_type(bounded),))[0]
             bound = Mode(name, (Argument("+", type_), Argument("#", type_, (OPEN[name],))), 0, clause.line, 0, recall)
             self.modes += [] if bound in self.modes else [bound]
             return

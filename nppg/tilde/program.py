@@ -173,6 +173,11 @@ def background(
         (name, arity): f"{name}/{arity} is Prolog's own"
         for name, arity in ask("unchangeable", [list(each) for each in sorted(defined)])
     }
+    for clause in own:
+        if clause.predicate in missing and clause.kind == "fact":
+            what = f"{clause.predicate[0]}/{clause.predicate[1]}"
+            left_out.append(clause.problem(f"what the file says of {what} is left out: it is Prolog's own"))
+            break
     rules: dict[Indicator, list[Clause]] = {}
     for clause in own:
         if clause.kind == "rule":
