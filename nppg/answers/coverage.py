@@ -81,8 +81,8 @@ class Coverage:
         if isinstance(self.table, FactTable):
             own = FactTable(self.table.domain, self.table.bias)
             own.add(each.test for each in candidates)
-            asked = Coverage(own, [self.states[i] for i in members], [self.actions[i] for i in members])
-            return dict(zip(own.tests, asked.bits.T, strict=True))
+            alone = Coverage(own, [self.states[i] for i in members], [self.actions[i] for i in members])
+            return dict(zip(own.tests, alone.bits.T, strict=True))
         assert isinstance(self.table, TestTable)
         self._load(self.table)
         by_prefix: dict[Query, list[Refinement]] = {}
