@@ -25,7 +25,8 @@ from nppg.worlds.domain import Domain
 from nppg.worlds.state import Interpretation, facts_of
 from nppg.worlds.world import Action, State
 
-Known = Mapping[Query, np.ndarray]
+Answered = tuple[np.ndarray, np.ndarray]  # examples in ascending order, and their answers
+Known = Mapping[Query, Answered]
 
 
 class Coverage:
@@ -68,17 +69,20 @@ class Coverage:
             each for each, column in zip(candidates, columns, strict=True) if column < 0 and each.test not in known
         ]
         if missing:
-            known = {**known, **self._ask(missing, members)}
+            order = members.argsort()
+            own = members[order]
+            known = {**known, **{test: (own, answers[order]) for test, answers in self._ask(missing, members).items()}}
         result = np.empty((len(members), len(candidates)), self.bits.dtype)
         for i, (each, column) in enumerate(zip(candidates, columns, strict=True)):
-            result[:, i] = self.bits[members, column] if column >= 0 else known[each.test][members]
+            result[:, i] = self.bits[members, column] if column >= 0 else _among(known[each.test], members)
         return result, known
 
     def _ask(self, candidates: Sequence[Refinement], members: np.ndarray) -> dict[Query, np.ndarray]:
         if isinstance(self.table, FactTable):
             own = FactTable(self.table.domain, self.table.bias)
             own.add(each.test for each in candidates)
-            return dict(zip(own.tests, Coverage(own, self.states, self.actions).bits.T, strict=True))
+            alone = Coverage(own, [self.states[i] for i in members], [self.actions[i] for i in members])
+            return dict(zip(own.tests, alone.bits.T, strict=True))
         assert isinstance(self.table, TestTable)
         self._load(self.table)
         by_prefix: dict[Query, list[Refinement]] = {}
@@ -98,17 +102,12 @@ class Coverage:
             raise self.table.located(error, [each.test for each in candidates], pairs) from None
         by_pack = [words[i :: len(packs) + len(bounds)] for i in range(len(packs) + len(bounds))]
         answers: dict[Query, np.ndarray] = {}
-
-        def note(test: Query, values: np.ndarray | list[float]) -> None:
-            answers[test] = np.zeros(len(self.actions), self.bits.dtype)
-            answers[test][members] = values
-
         for (_, pack), own in zip(packs, by_pack, strict=False):
             bits = unpacked(np.array(own, "<i8")[:, None])
             for i, each in enumerate(pack):
-                note(each.test, bits[:, i] if self.bits.dtype == bool else ~bits[:, i])
+                answers[each.test] = bits[:, i] if self.bits.dtype == bool else ~bits[:, i]
         for test, values in zip(bounds, by_pack[len(packs) :], strict=True):
-            note(test, values)
+            answers[test] = np.array(values, self.bits.dtype)
         return answers
 
     def _load(self, table: TestTable) -> None:
@@ -120,6 +119,12 @@ class Coverage:
             self._kept = states = [table.domain.interpreted(self.states[a]) for a, _ in runs]
             ask("examples", table.name, [[table.domain.static_number(each), facts_of(each)] for each in states], pairs)
             table.loaded = weakref.ref(self)
+
+
+def _among(answered: Answered, members: np.ndarray) -> np.ndarray:
+    """The answers about some of the examples that have been asked about."""
+    examples, answers = answered
+    return answers[examples.searchsorted(members)]
 
 
 def root_table(domain: Domain, bias: LanguageBias, refiner: Refiner) -> Table:

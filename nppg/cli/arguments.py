@@ -8,6 +8,7 @@ import sys
 import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from itertools import chain
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -25,10 +26,17 @@ class Parser(argparse.ArgumentParser):
         found, unknown = self.parse_known_args(args, namespace)
         if unknown:
             word = unknown[0].split("=")[0]
-            options = [each for each in self._option_string_actions if each.startswith("--")]
+            inner = [each for action in self._actions for each in _parsers(action)]
+            known = chain.from_iterable(each._option_string_actions for each in (self, *inner))
+            options = [each for each in known if each.startswith("--")]
             what = "option" if word.startswith("-") else "further argument"
             self.error(f"there is no {what} {word}{suggestion(word, options)}")
         return found
+
+
+def _parsers(action: argparse.Action) -> list[argparse.ArgumentParser]:
+    """Those of the verbs that a verb has of its own."""
+    return list(action.choices.values()) if isinstance(action, argparse._SubParsersAction) else []
 
 
 def add_domain(parser: argparse.ArgumentParser | argparse._ArgumentGroup, needed: bool = True) -> None:

@@ -16,6 +16,7 @@ from nppg.tilde.learning import Learner, cross_validated
 from nppg.tilde.model import Model, Passes
 from nppg.tilde.model_file import read_model, write_model
 from nppg.tilde.reading import read_task
+from nppg.tilde.retargeting import retargeted
 from nppg.tilde.targets import Targets
 from nppg.tilde.task import HEURISTICS, PRUNING, Task
 
@@ -38,6 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     verbs = parser.add_subparsers(dest="verb", metavar="fit | predict | show", required=True)
     fit = verbs.add_parser("fit", help="learn a tree from examples, and print it", allow_abbrev=False)
     _add_data(fit)
+    fit.add_argument("--target", metavar="LITERAL", help="what is told of what: 'logp(+mol, -number)'")
     for name, (kind, choices, help) in _OPTIONS.items():
         metavar = None if choices else kind.__name__.upper()
         fit.add_argument(f"--{name.replace('_', '-')}", type=kind, choices=choices, metavar=metavar, help=help)
@@ -65,6 +67,8 @@ def run(options: argparse.Namespace) -> int:
 def _fit(options: argparse.Namespace) -> int:
     begun = time.perf_counter()
     task = read_task(options.data)
+    if options.target:
+        task = retargeted(task, options.target)
     given = {name: value for name in (*_OPTIONS, "random_state") if (value := getattr(options, name)) is not None}
     settings = replace(task.settings, **given)
     task = replace(task, settings=settings)
