@@ -116,6 +116,19 @@ def test_problems_and_states_are_bounded(tmp_path: Path) -> None:
         domain.state(f"at({deep}")
 
 
+def test_comments_hide_nothing() -> None:
+    deep = "(" * 2000
+    for text in (
+        f"a :- b.\n/* a comment. */\nc({deep}",
+        f"c(\n/* a comment.\n */{deep}",
+        f"c(/* .\n*/{deep[:900]}/* .\n*/{deep[:900]}",
+        f"'a\\\n/*', c({deep}) /* */",
+    ):
+        with pytest.raises(NppgError, match="brackets"):
+            bounded(text.encode(), "text")
+    assert not bounded(b"/* a comment.\n ((( */\na(b).\n", "text")
+
+
 @pytest.mark.parametrize(
     "text",
     [

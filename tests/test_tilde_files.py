@@ -100,7 +100,8 @@ def test_a_target_that_rules_define(tmp_path):
 
 def test_constants_from_generators(tmp_path):
     settings = KEYED_SETTINGS + (
-        "rmode(weight(+T, -N)).\nrmode(#(L: limit(L), over(+N, L))).\nrmode(#(2*2*L: member(L, [4, 6]), over(+N, L))).\n"
+        "rmode(weight(+T, -N)).\nrmode(#(L: limit(L), over(+N, L))).\n"
+        "rmode(#(2*2*L: member(L, [4, 6]), over(+N, L))).\n"
         "rmode(#((S, L): (made_of(a, S), limit(L)), pair(+T, S, L))).\nrmode(#(L: nowhere(L), over(+N, L))).\n"
     )
     bg = RULES + "pair(T, S, L) :- made_of(T, S), weight(T, W), W > L."
@@ -132,8 +133,8 @@ def test_several_literals_and_any_type(tmp_path):
 
 def test_the_root_binds_more(tmp_path):
     settings = (
-        "predict(heavy(+box, -class)). root((heavy(B, C), holds(B, T))). typed_language(yes). type(heavy(box, class)).\n"
-        "type(holds(box, thing)). type(made_of(thing, stuff)). rmode(made_of(+T, #[iron]))."
+        "predict(heavy(+box, -class)). root((heavy(B, C), holds(B, T))). typed_language(yes).\n"
+        "type(heavy(box, class)). type(holds(box, thing)). type(made_of(thing, stuff)). rmode(made_of(+T, #[iron]))."
     )
     task = read_task([keyed(tmp_path, settings, kb=KNOWLEDGE + THINGS + "heavy(b9, no).")])
     assert str(task.bias.actions[0]) == "heavy(box, thing)"
@@ -165,10 +166,7 @@ def test_what_is_unknown_is_told(tmp_path):
 
 
 def test_what_may_not_run_is_told(tmp_path):
-    bg = (
-        RULES
-        + "\nbad(X) :- shell('touch /tmp/x'), X = 1.\nworse(X) :- bad(X).\n:- shell(ls).\nover(X, Y, Z) :- X > Y, lost(Z).\n"
-    )
+    bg = RULES + "\nbad(X) :- shell('touch /tmp/x'), X = 1.\nworse(X) :- bad(X).\n:- shell(ls).\n"
     task = read_task([keyed(tmp_path, KEYED_SETTINGS + "rmode(worse(+B)).", bg=bg)])
     assert told(task) == [
         (4, "bad/1 is left out: it calls shell/1, which only a trusted program may"),
@@ -220,6 +218,28 @@ def test_aleph_predicts_an_argument(tmp_path):
     assert (task.settings.mode, [each.target for each in task.examples]) == ("regress", [1.5, 2])
 
 
+def test_aleph_says_how_a_tree_grows(tmp_path):
+    b = ":- set(tree_type, class_probability).\n:- set(dependent, 2).\n:- set(minpos, 3).\n:- set(prune_tree, true).\n"
+    b += ":- set(lookahead, 2).\n:- modeh(1, class(+day, -class)).\n:- modeb(1, temp(+day, -temp)).\n"
+    b += ":- modeb(1, lteq(+temp, #temp)).\nlteq(X, Y) :- var(Y), !, X = Y.\nlteq(X, Y) :- X =< Y.\n"
+    b += "temp(64). temp(70). table(d1, 64). table(d2, 70). temp(D, T) :- table(D, T).\n"
+    task = read_task([aleph(tmp_path, b, "class(d1, play). class(d2, stay).", "")])
+    assert [(str(mode), mode.lookahead) for mode in task.bias.modes] == [
+        ("temp(+day, +-temp)", 2),
+        ("lteq(+temp, [64, 70])", 0),
+    ]
+    assert (task.settings.minimal_cases, task.settings.pruning, task.settings.heuristic) == (3, "c45", "gain")
+    Learner(task)
+
+
+def test_names_that_are_operators(tmp_path):
+    kb = "p(a, yes). p(b, no). table(a). dynamic(b, is). '<-'(a, b). goal(a). number(a)."
+    settings = "predict(p(+k, -c)). rmode(table(+K)). rmode(dynamic(+K, #)). rmode('<-'(+K, -X)). rmode(number(+K))."
+    task = read_task([write(tmp_path, s=settings, kb=kb, bg="table(X, Y) :- table(X), Y = 1.")])
+    assert told(task) == [(1, "what the file says of number/1 is left out: it is Prolog's own")]
+    assert len(Learner(task).coverage.table) == 4
+
+
 def test_files_that_are_loaded(tmp_path):
     (tmp_path / "more.pl").write_text(ALEPH_KNOWLEDGE)
     task = read_task([aleph(tmp_path, ALEPH + ":- [more].\n:- [elsewhere].\n")])
@@ -245,7 +265,7 @@ def test_what_is_named(tmp_path):
             [folder / "boxes.kb"],
             [folder.parent],
             [folder / "boxes.s", folder / "boxes.kb", folder / "boxes.bg"],
-        )  # fmt: skip
+        )
     ]
     assert all(each.examples == every[0].examples for each in every)
     other = write(tmp_path / "other", s=MODEL_SETTINGS, kb=MODELS)
@@ -301,8 +321,8 @@ def test_convert_is_read_again(tmp_path, make, capsys):
 
 
 def test_convert_keeps_numbers_names_and_weights(tmp_path):
-    task = read_task([write(tmp_path, s="predict(q(+k, -v)). tilde_mode(regression). rmode('on top'(+X, #[\"a'b\", 1.5, on])).",
-                            kb="q('K k', 2.5). 'on top'('K k', on).")])  # fmt: skip
+    settings = "predict(q(+k, -v)). tilde_mode(regression). rmode('on top'(+X, #[\"a'b\", 1.5, on]))."
+    task = read_task([write(tmp_path, s=settings, kb="q('K k', 2.5). 'on top'('K k', on).")])
     example = dataclasses.replace(task.examples[0], weight=0.1 + 0.2, facts=(("own fact", -math.pi),))
     task = dataclasses.replace(task, examples=(example,))
     for name, text in files_of(task).items():

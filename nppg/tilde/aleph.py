@@ -127,7 +127,7 @@ class _Reading:
         }
         kept, _ = askable(language.modes, (), base, (), self.file, self.left_out)
         template = Template(self.target[0], key_types)
-        classes = elements(arguments(self.settings["classes"].data)[1]) if "classes" in self.settings else None
+        classes = elements(self._value("classes", ""))
         default = [POSITIVE, NEGATIVE] if wanted is None else []
         facts = tuple(fact for fact in base.facts if indicator(fact) != self.target)
         return Task(
@@ -140,7 +140,7 @@ class _Reading:
             examples_file=str(examples_file),
             target=self.target[0],
             classes=() if number else tuple(map(told, classes or default)),
-            settings=Settings(mode=REGRESS, significance=0.05) if number else Settings(mode=CLASSIFY),
+            settings=self._settings(number),
             left_out=tuple(self.left_out),
         )
 
@@ -187,13 +187,29 @@ class _Reading:
         return rows
 
     def _is_regression(self, targets: Iterable[Ground]) -> bool:
-        tree = arguments(self.settings["tree_type"].data)[1] if "tree_type" in self.settings else ""
+        tree = self._value("tree_type", "")
         if tree in ("model", "regression"):
             return True
         return tree == "" and "classes" not in self.settings and all(isinstance(each, int | float) for each in targets)
 
+    def _settings(self, is_number: bool) -> Settings:
+        """How the tree is grown: as Aleph's parameters of trees say, where it is to grow one."""
+        if "tree_type" not in self.settings:
+            return Settings(mode=REGRESS, significance=0.05) if is_number else Settings(mode=CLASSIFY)
+        confidence = self._value("confidence", 0.25)
+        return Settings(
+            mode=REGRESS if is_number else CLASSIFY,
+            heuristic="" if is_number else "gain",
+            minimal_cases=max(1, self._whole("minpos", 2)),
+            pruning="c45" if self._value("prune_tree", "false") == "true" and not is_number else "none",
+            confidence=float(confidence) if isinstance(confidence, int | float) and 0 < confidence <= 1 else 0.25,
+        )
+
+    def _value(self, name: str, default: Ground) -> Ground:
+        return arguments(self.settings[name].data)[1] if name in self.settings else default
+
     def _whole(self, name: str, default: int) -> int:
-        value = arguments(self.settings[name].data)[1] if name in self.settings else default
+        value = self._value(name, default)
         return value if type(value) is int and value >= 0 else default
 
     def _body_modes(self) -> list[Clause]:
@@ -225,7 +241,8 @@ class _Reading:
     def _values(
         self, modes: Iterable[Clause], base: Background, keys: dict[str, set[Ground]]
     ) -> dict[str, set[Ground]]:
-        """The values of each type: those of keys, and what facts have where a mode names the type."""
+        """The values of each type: those of keys, what facts have where a mode names the type, and of what the
+        predicate of that name holds."""
         found = {type_: set(values) for type_, values in keys.items()}
         places: dict[Indicator, list[tuple[int, str]]] = {}
         for clause in modes:
@@ -233,6 +250,7 @@ class _Reading:
             for i, arg in enumerate(arguments(literal)):
                 if indicator(arg)[0] in ("+", "-"):
                     places.setdefault(indicator(literal), []).append((i, own_type(arg)))
+                    places.setdefault((own_type(arg), 1), []).append((0, own_type(arg)))
         for fact in base.facts:
             for i, type_ in places.get(indicator(fact), ()):
                 found.setdefault(type_, set()).add(arguments(fact)[i])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from pathlib import Path
@@ -26,6 +27,7 @@ from nppg.tilde.terms import (
     is_variable,
     match,
     number,
+    parts_of,
     within,
 )
 
@@ -90,8 +92,10 @@ def answers(
     needed = reachable((each for goal in goals for each in within(goal)), base.rules)
     known = [fact for fact in base.facts if indicator(fact) in needed]
     others = sorted({indicator(fact) for fact in base.facts} - needed)
-    text = "".join(f":- dynamic({written(name)}/{arity}).\n" for name, arity in others) + base.text
-    body = ", ".join(map(canonical, goals))
+    text = "".join(f":- dynamic(/({written(name)}, {arity})).\n" for name, arity in others) + base.text
+    known_as = Counter(number(each) for goal in (*goals, *variables) for each in parts_of(goal) if is_variable(each))
+    once = {variable for variable, times in known_as.items() if times == 1}
+    body = ", ".join(canonical(goal, once) for goal in goals)
     helper = f"{canonical((_HELPER, *variables))} :- {body}.\n"
     bias = bias_of(Path(), Template("example", ()), {}, (), (), 0)
     task = Task("constants", bias, (), (*known, *facts), text + helper)

@@ -209,7 +209,7 @@ def background(
                 dynamic.add((name, arity))
                 if (name, arity) not in given and clause.predicate in reached:
                     left_out.append(clause.problem(f"{name}/{arity} is called and nowhere defined: it fails"))
-    lines += [f":- dynamic({written(name)}/{arity}).\n" for name, arity in sorted(dynamic - defined)]
+    lines += [f":- dynamic(/({written(name)}, {arity})).\n" for name, arity in sorted(dynamic - defined)]
     mixed = [clause for clause in kept if clause.predicate in rules]
     mixed.sort(key=lambda each: each.predicate)
     as_text = iter(ask("texts", [clause.data for clause in mixed if clause.kind == "fact"]))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from nppg.bias.names import is_name, written
 from nppg.bridge.terms import Ground
@@ -21,13 +21,19 @@ def arguments(data: Ground) -> tuple[Ground, ...]:
     return data[1:] if isinstance(data, tuple) else ()
 
 
-def within(data: Ground) -> Iterator[Indicator]:
-    """The predicates of all terms within one."""
+def parts_of(data: Ground) -> Iterator[Ground]:
+    """All terms within one, itself among them."""
     unread = [data]
     while unread:
         each = unread.pop()
-        yield indicator(each)
-        unread += arguments(each)
+        yield each
+        if not is_variable(each):
+            unread += arguments(each)
+
+
+def within(data: Ground) -> Iterator[Indicator]:
+    """The predicates of all terms within one."""
+    return map(indicator, parts_of(data))
 
 
 def is_variable(data: Ground) -> bool:
@@ -75,6 +81,8 @@ def _told(data: Ground) -> str:
     items = elements(data)
     if items is not None:
         return f"[{', '.join(map(_told, items))}]"
+    if data[0] == "[|]" and len(data) == 3:
+        return f"[{_told(data[1])}|{_told(data[2])}]"
     name, args = data[0], [_told(each) for each in data[1:]]
     if len(args) == 2 and not is_name(name) and name != "#":
         return f"{args[0]}{name}{args[1]}"
@@ -83,16 +91,16 @@ def _told(data: Ground) -> str:
     return f"{_told(name)}({', '.join(args)})"
 
 
-def canonical(data: Ground) -> str:
-    """A term as Prolog reads it, whatever the operators."""
+def canonical(data: Ground, once: Collection[int] = ()) -> str:
+    """A term as Prolog reads it, whatever the operators, with _ for the variables that are there once."""
     if not isinstance(data, tuple):
         return written(data)
     if is_variable(data):
-        return f"V{data[1]}"
+        return "_" if number(data) in once else f"V{data[1]}"
     items = elements(data)
     if items is not None:
-        return f"[{', '.join(map(canonical, items))}]"
-    return f"{written(data[0])}({', '.join(map(canonical, data[1:]))})"
+        return f"[{', '.join(canonical(each, once) for each in items)}]"
+    return f"{written(data[0])}({', '.join(canonical(each, once) for each in data[1:])})"
 
 
 def match(pattern: Ground, data: Ground, bound: dict[int, Ground]) -> bool:
