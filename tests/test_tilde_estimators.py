@@ -208,7 +208,11 @@ def test_wrong_targets(y, message):
 
 def test_mistakes_are_told():
     keys, facts, classes = molecules(10)
-    with pytest.raises(NppgError, match=r"no predicate bond/3"):
+    with pytest.raises(NppgError, match=r"no predicate atm/4 \(did you mean 'atom'\?\)"):
+        TildeClassifier(LANGUAGE.replace("atom", "atm"), facts=facts).fit(keys, classes)
+    with pytest.raises(NppgError, match=r"no predicate bond/2 \(it has bond/3\)"):
+        TildeClassifier("modes: ['bond(+-id, -id)']", facts=facts).fit([[("a",)]] * 10, classes)
+    with pytest.warns(UserWarning, match=r"no predicate bond/3: it never holds"):
         TildeClassifier(BIAS, facts=[each for each in facts if each[0] == "atom"]).fit(keys, classes)
     with pytest.raises(NppgError, match="there are no examples"):
         TildeClassifier(BIAS, facts=facts).fit([], [])

@@ -122,7 +122,7 @@ class Estimator:
     def _bias(self) -> LanguageBias:
         if isinstance(self.bias, LanguageBias):
             return self.bias
-        if isinstance(self.bias, str) and "\n" in self.bias:
+        if isinstance(self.bias, str) and ("\n" in self.bias or ": " in self.bias):
             return language(self.bias)
         if isinstance(self.bias, str | Path):
             return language(read_text(Path(self.bias)), str(self.bias))

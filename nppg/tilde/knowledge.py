@@ -60,8 +60,8 @@ class Knowledge:
                 header.append(f":- {kind}(/({written(name)}, {each[1]})).")
                 links += [_link(each, name)] if apart else []
         header += [f":- discontiguous(/({written(name)}, {arity}))." for name, arity in sorted(by_clauses)]
-        missing = sorted({*known} - {*given} - {*by_clauses})
-        header += [f":- fluent(/({written(name)}, {arity}))." for name, arity in missing]
+        self.missing = {*known} - {*given} - by_clauses  # those that the task has nothing of
+        header += [f":- fluent(/({written(name)}, {arity}))." for name, arity in sorted(self.missing)]
         self.domain = self._load(" ".join(header) + " " + task.background + "\n" + "\n".join(links) + "\n")
         self._static = Static(dict.fromkeys(self._renamed("static", task.facts)))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
@@ -41,10 +42,8 @@ class Learner:
     def __init__(self, task: Task, targets: Targets | None = None):
         self.task = task
         self.targets = targets or targets_of(task)
-        self.knowledge = Knowledge(task)
-        problems = task.bias.check(self.knowledge.predicates, ())
-        if problems:
-            raise NppgError(problems)
+        self.knowledge = Knowledge(task, Knowledge.asked(task.bias))
+        _check_predicates(self.knowledge)
         self.bias = self.knowledge.complete(task.bias)
         self.refiner = Refiner(self.bias)
         if not self.refiner.refinements(()):
@@ -153,6 +152,17 @@ class Learner:
         found = probabilities(scores)
         found = found[:, 1:] if scores.shape[1] == 1 else found
         return wanted - found, found * (1 - found)
+
+
+def _check_predicates(knowledge: Knowledge) -> None:
+    """Raises NppgError for a predicate of the bias that is nowhere defined while one of a near name is, and warns of
+    another one: these examples have no facts of it."""
+    found = knowledge.task.bias.check(knowledge.predicates - knowledge.missing, ())
+    problems = [replace(each, message=each.message.replace("the domain has", "the data has")) for each in found]
+    if wrong := [each for each in problems if each.message.endswith(")")]:
+        raise NppgError(wrong)
+    for each in problems:
+        warnings.warn(f"{each}: it never holds", stacklevel=4)
 
 
 def folds(targets: Targets, count: int, rng: np.random.Generator) -> list[np.ndarray]:
