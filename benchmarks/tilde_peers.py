@@ -1,7 +1,7 @@
 """nppg tilde beside scikit-learn's trees on propositionalised columns, in ten folds of the same examples.
 
-`NPPG_TILDE=FOLDER python -m benchmarks.tilde_peers`, where the folder has the examples of ACE and Aleph. The columns are the
-answers to all tests of one literal, and of a second one behind it about a variable that it introduces, as the modes allow.
+`NPPG_TILDE=FOLDER python -m benchmarks.tilde_peers`, where the folder has ACE's and Aleph's examples. The columns are
+the answers to all tests of one literal, and of a second one behind it about a variable that it introduces.
 """
 
 from __future__ import annotations
