@@ -7,7 +7,6 @@ docs/domains.md is the reference of domain files.
 from __future__ import annotations
 
 import copy
-import hashlib
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
@@ -15,8 +14,8 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 
 from nppg.bridge.bounds import checked
-from nppg.bridge.files import locate
-from nppg.bridge.plain import alone
+from nppg.bridge.files import locate, sha256
+from nppg.bridge.plain import alone, named
 from nppg.bridge.prolog import ask, randomness
 from nppg.bridge.terms import Ground, compounds, ground, plain
 from nppg.errors import NppgError, Problem
@@ -29,12 +28,6 @@ from nppg.worlds.world import Action, Outcome, Situation, State
 
 if TYPE_CHECKING:
     from typing_extensions import Self
-
-
-def named(parameters: Mapping[str, int | float | str] | None) -> dict[str, int | float | str]:
-    """Parameters as Prolog has them: NumPy's numbers are numbers, True and False are the names true and false."""
-    values = {name: alone(value) for name, value in (parameters or {}).items()}
-    return {name: str(value).lower() if isinstance(value, bool) else value for name, value in values.items()}
 
 
 class Domain:
@@ -101,8 +94,14 @@ class Domain:
 
     @property
     def hash(self) -> str:
-        """SHA-256 of the file as it was loaded, in hexadecimal."""
-        return hashlib.sha256(self.source).hexdigest()
+        """SHA-256 of the file as it was loaded, in hexadecimal; of those that it uses, too, with their names."""
+        used = "".join(f"\n{name} {sha256(data)}" for name, data in sorted(self.used.items()))
+        return sha256(self.source + used.encode())
+
+    @property
+    def used(self) -> Mapping[str, bytes]:
+        """The files that it is continued in, contents by their names from its folder."""
+        return self._loaded.used
 
     def state(self, text: str) -> State:
         """The state of these facts, written as Prolog has them: "on(b1, b2), on(b2, floor)". Raises NppgError for what
@@ -195,12 +194,13 @@ class Domain:
 
     @property
     def companions(self) -> Mapping[str, bytes]:
-        """The files beside its own that it needs, contents by name: those of the problems that it was given."""
+        """The files beside its own that it needs, contents by name: those that it is continued in, and that of the
+        problems that it was given."""
         if self._problems is None or not self._problems.given:
-            return {}
+            return self.used
         chosen = self.chosen or self.problems
         text = problems_text((self.problems[number], self.problem(number)) for number in chosen)
-        return {f"{self.path.stem}{BESIDE}": text.encode()}
+        return {**self.used, f"{self.path.stem}{BESIDE}": text.encode()}
 
     def _no_problem(self, number: int) -> NppgError:
         known = list(self.problems)

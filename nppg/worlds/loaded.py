@@ -9,6 +9,7 @@ from pathlib import Path
 from weakref import WeakValueDictionary
 
 from nppg.bridge.bounds import bounded
+from nppg.bridge.files import write_files
 from nppg.bridge.prolog import ask, check_thread, drop_with
 from nppg.bridge.terms import Ground, compounds, ground, plain
 from nppg.worlds.state import (
@@ -31,11 +32,12 @@ class Loaded:
     states that these Domains visit is the current one."""
 
     def __init__(self, path: Path, given: Mapping[str, int | float | str], source: bytes, trust: bool):
-        self.origin = (path, given, source, trust)
         if not trust:
             ask("dictionaries", _TRUTH[bounded(source, str(path))])
         self.module, entries = ask("load", str(path.resolve()), [list(each) for each in given.items()], _TRUTH[trust])
         drop_with(self, "unload", self.module)
+        self.used = {name: Path(file).read_bytes() for name, file in ask("used_files", self.module)}
+        self.origin = (path, given, source, trust, self.used)
         self.description = dict(entries)
         self.current: Sequence[Ground] | None = None
         self.situation: list | None = None  # that of the current state, where it is known
@@ -192,14 +194,16 @@ class Loaded:
         return _loaded_again, self.origin
 
 
-def _loaded_again(path: Path, given: Mapping[str, int | float | str], source: bytes, trust: bool) -> Loaded:
-    """From the file, which may be another one by now or be missing, else from what it was."""
+def _loaded_again(
+    path: Path, given: Mapping[str, int | float | str], source: bytes, trust: bool, used: Mapping[str, bytes]
+) -> Loaded:
+    """From the files, which may be others by now or be missing, else from what they were."""
     try:
-        if path.read_bytes() == source:
+        if all(path.parent.joinpath(name).read_bytes() == data for name, data in {path.name: source, **used}.items()):
             return Loaded(path, given, source, trust)
     except OSError:
         pass
     with tempfile.TemporaryDirectory() as folder:
         own = Path(folder, path.name)
-        own.write_bytes(source)
+        write_files(own.parent, {path.name: source, **used})
         return Loaded(own, given, source, trust)
