@@ -58,6 +58,8 @@ def randomness(generator: np.random.Generator) -> Iterator[None]:
     """Lets the domain draw from `generator`. Raises NppgError in a thread that cannot ask."""
     global _generator
     check_thread()
+    if not isinstance(generator, np.random.Generator):
+        raise NppgError(f"{generator!r} is no generator of random numbers: np.random.default_rng(seed) is one")
     previous, _generator = _generator, generator
     try:
         yield

@@ -17,7 +17,7 @@ from nppg.bridge.bounds import checked
 from nppg.bridge.files import locate, sha256
 from nppg.bridge.plain import alone, named
 from nppg.bridge.prolog import ask, randomness
-from nppg.bridge.terms import Ground, compounds, ground, plain
+from nppg.bridge.terms import Ground, compounds, ground
 from nppg.errors import NppgError, Problem
 from nppg.worlds.legal import LegalActions
 from nppg.worlds.loaded import Loaded
@@ -240,12 +240,12 @@ class Domain:
         """Takes an action: the reward, and the state that it leads to; its situation, `lean` or not, comes along."""
         self.visit(state)
         with randomness(rng):
-            return self._loaded.act(self.interpreted(state), plain([action])[0], lean)
+            return self._loaded.act(self.interpreted(state), self._loaded.action(action), lean)
 
     def outcomes(self, state: State, actions: Sequence[Action]) -> list[list[Outcome]]:
         """What each of these legal actions may lead to."""
         self.visit(state)
-        return self._loaded.outcomes(self.interpreted(state), plain(actions))
+        return self._loaded.outcomes(self.interpreted(state), [*map(self._loaded.action, actions)])
 
     def certain(self, state: State, action: Action) -> State | None:
         """The state that an action leads to, None where that is left to chance."""
@@ -255,12 +255,12 @@ class Domain:
     def cost(self, state: State, action: Action) -> float:
         """What an action costs in the state: 1, unless the domain defines cost/2."""
         self.visit(state)
-        return ask("cost_of", self.module, *plain([action]))
+        return ask("cost_of", self.module, self._loaded.action(action))
 
     def reward(self, state: State, action: Action) -> float:
         """The reward for an action that has just led to the state."""
         self.visit(state)
-        return ask("reward_of", self.module, *plain([action]))
+        return ask("reward_of", self.module, self._loaded.action(action))
 
     def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
         """Every legal action, also of a goal or terminal state, with all its outcomes."""
