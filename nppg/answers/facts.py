@@ -16,6 +16,7 @@ from nppg.answers.table import Table
 from nppg.bias.declarations import Mode
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, is_open
+from nppg.bridge.prolog import exclusively
 from nppg.bridge.terms import Ground, plain
 from nppg.errors import NppgError, Problem
 from nppg.logic.query import OPEN, Literal, Query, Term, Var, exact
@@ -58,6 +59,7 @@ def _is_readable(test: Query, domain: Domain, bias: LanguageBias) -> bool:
     )
 
 
+@exclusively("answers")
 class FactTable(Table):
     """Tests for which this `suffices`."""
 

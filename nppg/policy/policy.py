@@ -15,7 +15,7 @@ from nppg.answers.coverage import table_of
 from nppg.answers.table import Table, TestTable
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.plain import number
-from nppg.bridge.prolog import ask, drop_with
+from nppg.bridge.prolog import ask, drop_with, exclusively
 from nppg.bridge.terms import Ground, compounds, plain
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.logic.query import Var
@@ -37,6 +37,7 @@ class Scores(NamedTuple):
     probabilities: np.ndarray
 
 
+@exclusively("add", "name", "answers", "potentials_of", "preferred", "prefer", "prolog_potentials", "rules", "save")
 class Policy:
     """Psi_m = Psi_{m-1} + eta_m h_m, and pi(s, a) = exp Psi(s, a) / sum_b exp Psi(s, b).
 

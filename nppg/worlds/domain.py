@@ -16,7 +16,7 @@ import numpy as np
 from nppg.bridge.bounds import checked
 from nppg.bridge.files import locate, sha256
 from nppg.bridge.plain import alone, named
-from nppg.bridge.prolog import ask, randomness
+from nppg.bridge.prolog import ask, exclusively, randomness
 from nppg.bridge.terms import Ground, compounds, ground
 from nppg.errors import NppgError, Problem
 from nppg.worlds.legal import LegalActions
@@ -30,13 +30,15 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 
+@exclusively("start", "problem", "problems", "situation", "horizon", "observe", "expert_actions", "act", "outcomes")
+@exclusively("cost", "reward", "neighbours", "picture", "parts", "binding", "kinds", "interpreted", "visit")
 class Domain:
     """An instance of a domain file with its parameters; it has its own module in Prolog until it is dropped.
 
-    Its copies share the module, because all that they are asked is about a state that they are given. Pickled it takes
-    the text of its file along. `name_or_path` is a shipped domain's name or a file, which may do anything if it is to
-    `trust`; see nppg.worlds.trust. Raises NppgError with every mistake that can be found in the file, and from all
-    methods for mistakes that show only when the domain's code runs.
+    Threads may share it. Its copies share the module, because all that they are asked is about a state that they are
+    given. Pickled it takes the texts of its files along. `name_or_path` is a shipped domain's name or a file, which may
+    do anything if it is to `trust`; see nppg.worlds.trust. Raises NppgError with every mistake that can be found in the
+    file, and from all methods for mistakes that show only when the domain's code runs.
     """
 
     def __init__(
@@ -88,8 +90,7 @@ class Domain:
 
     @property
     def is_countable(self) -> bool:
-        """Whether it is for exact evaluation, if it has few enough states: it declares a uniform start, has a goal, is
-        seen as it is, and all its facts are in its states."""
+        """Whether it is for exact evaluation, if its states are few: it starts uniformly, has a goal, is seen whole."""
         return self.uniform_start and self.has_goal and not (self.has_observation or self.static or self.chosen)
 
     @property
@@ -198,8 +199,7 @@ class Domain:
         problems that it was given."""
         if self._problems is None or not self._problems.given:
             return self.used
-        chosen = self.chosen or self.problems
-        text = problems_text((self.problems[number], self.problem(number)) for number in chosen)
+        text = problems_text((self.problems[each], self.problem(each)) for each in self.chosen or self.problems)
         return {**self.used, f"{self.path.stem}{BESIDE}": text.encode()}
 
     def _no_problem(self, number: int) -> NppgError:

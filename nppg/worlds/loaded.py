@@ -10,7 +10,7 @@ from weakref import WeakValueDictionary
 
 from nppg.bridge.bounds import bounded
 from nppg.bridge.files import write_files
-from nppg.bridge.prolog import ask, check_thread, drop_with
+from nppg.bridge.prolog import ask, drop_with
 from nppg.bridge.terms import Compound, Ground, compounds, ground, plain, texts
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.worlds.state import (
@@ -115,7 +115,6 @@ class Loaded:
 
     def visit(self, state: Sequence[Ground]) -> None:
         """Makes a state current in Prolog."""
-        check_thread()  # what is remembered of the current state is not to be seen while it changes
         before = self.current
         if state is before and state is not None:
             return
