@@ -204,11 +204,24 @@ may_hold(Spec, Kind, Module) :-
     ;   built_in(Spec)
     ->  wrong('~q is built into Prolog and can be no ~w: choose another name'-[Spec, Kind]),
         fail
+    ;   reserved(Spec)
+    ->  wrong('~q is kept by nppg for itself and can be no ~w: choose another name'-[Spec, Kind]),
+        fail
     ;   ( Kind == (static), Other = nppg_fluent(Spec) ; Kind == (fluent), Other = nppg_static(Spec) ),
         declared(Module, Other)
     ->  wrong('~q cannot be both a fluent and static'-[Spec]),
         fail
     ;   true
+    ).
+
+reserved(Name/Arity) :-
+    (   Name/Arity == parameter/2
+    ->  true
+    ;   Name == '[]'
+    ->  true
+    ;   member(Start, [nppg_, $]),
+        sub_atom(Name, 0, _, _, Start)
+    ->  true
     ).
 
 kind_shown((fluent), 'a fluent', 'fluent on/2').

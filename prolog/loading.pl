@@ -14,6 +14,7 @@
 :- use_module(randomness, []).
 :- use_module(report, [explanation/2]).
 :- use_module(safety, [forget_files/0, guarding/2, unguarded/1]).
+:- use_module(waiting, []).
 :- use_module(used_files, [reading_used/3, unload_used/1]).
 
 /** <module> Loading domain files
@@ -50,9 +51,10 @@ load_domain(File, Parameters, Trust, Module, Description) :-
     must_be_harmless(Refused, Module),
     add_import_module(Module, nppg_randomness, start),
     add_import_module(Module, nppg_formula, start),
+    add_import_module(Module, nppg_waiting, start),
     (   member(Problem, Heard), syntax_error(Problem)
     ->  Mistakes = []                       % what could not be read would be taken for missing
-    ;   findall(Problem, mistake(Module, File, Parameters, Problem), Mistakes)
+    ;   findall(Problem, ( mistake(Module, File, Parameters, Problem), \+ told(Problem, Heard) ), Mistakes)
     ),
     append(Heard, Mistakes, Problems),
     (   Problems == []
@@ -172,6 +174,14 @@ load_problem(File, What, -(File, Line, 0, Text)) :-
     ->  format(atom(Text), 'took more than ~D inferences to load (does a directive loop?)', [What])
     ;   Text = What
     ).
+
+%   There is no fluent because the declaration has been refused.
+
+told(-(_, _, _, Text), Heard) :-
+    sub_atom(Text, 0, _, _, 'no fluent is declared'),
+    member(-(_, _, _, Why), Heard),
+    ( sub_atom(Why, _, _, _, 'can be no fluent') ; sub_atom(Why, 0, _, _, 'a fluent is declared by') ),
+    !.
 
 syntax_error(-(_, _, _, Text)) :-
     sub_atom(Text, 0, _, _, 'Syntax error').

@@ -65,6 +65,9 @@ place(Module:Name/Arity, File, Line) :-
 what(inference_limit(Limit), Text) :-
     !,
     format(atom(Text), 'took more than ~D inferences (does it loop?)', [Limit]).
+what(time(Seconds), Text) :-
+    !,
+    format(atom(Text), 'was stopped after ~0f seconds, in which it did next to nothing (does it wait?)', [Seconds]).
 what(Format-Args, Text) :-
     atomic(Format),
     !,

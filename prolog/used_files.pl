@@ -157,7 +157,8 @@ load_used(Instance, Path, Imports) :-
             load_files(Context:Id, [stream(In), if(true), imports(Imports), silent(true)]),
             ( erase(Mark), close(In) )),
         (   Into == module
-        ->  add_import_module(Module, nppg_randomness, start),
+        ->  add_import_module(Module, nppg_waiting, start),
+            add_import_module(Module, nppg_randomness, start),
             add_import_module(Module, nppg_formula, start)
         ;   true
         )

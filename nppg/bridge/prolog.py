@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import threading
+import time
 import weakref
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
@@ -27,8 +28,10 @@ prolog_home.prepare()
 import janus_swi  # noqa: E402
 
 _STACK_LIMIT = 256 * 2**20
+_LOOK = 0.7  # seconds between two looks at what is asked
 
 _dropped: deque[tuple] = deque()  # last questions about what Python has dropped
+_asking: list[int] | None = None  # the engine that is at a question, another list for each
 _generator: np.random.Generator | None = None
 _Method = TypeVar("_Method", bound=Callable)
 
@@ -52,6 +55,7 @@ class _Exclusive:
         self._lock = threading.RLock()
         self._thread = threading.local()  # with what it is known by, and but in the one that starts Prolog an engine
         self._thread.mark = self._latest = object()
+        self.engine = 1  # of the thread that has asked last, as Prolog numbers them
 
     def __enter__(self) -> None:
         self._lock.acquire()
@@ -68,7 +72,7 @@ class _Exclusive:
             if not hasattr(self._thread, "mark"):
                 self._thread.engine = _Engine()
                 self._thread.mark = object()
-            self._latest = self._thread.mark
+            self._latest, self.engine = self._thread.mark, janus_swi.engine()
             janus_swi.query_once("abolish_all_tables")
         except BaseException:
             self._lock.release()
@@ -132,7 +136,9 @@ def ask(question: str, *args: Any) -> Any:
     Any thread may ask. Raises NppgError with file and line where the domain's code is at fault; and KeyboardInterrupt
     where Ctrl-C was pressed under `interruptible`, unless it is held back by `undisturbed`.
     """
+    global _asking
     with exclusive:
+        _asking = [exclusive.engine]
         while _dropped:
             last, *its_args = _dropped.popleft()
             janus_swi.apply_once("nppg_bridge", "ask", last, its_args)
@@ -140,6 +146,8 @@ def ask(question: str, *args: Any) -> Any:
             done, value = janus_swi.apply_once("nppg_bridge", "ask", question, list(args))
         except janus_swi.PrologError:
             done, value = janus_swi.apply_once("nppg_bridge", "ask", "aborted", [question])
+        finally:
+            _asking = None
     heed_interrupt()
     if not done:
         raise NppgError(_problem(*each) for each in value)
@@ -156,9 +164,23 @@ def drop_with(owner: object, question: str, *args: Any) -> None:
     weakref.finalize(owner, _dropped.append, (question, *args)).atexit = False
 
 
+def _watch() -> None:
+    """Has an engine that has been at one question for long look how long a call of a domain's code has taken."""
+    before, attached = None, False
+    while True:
+        time.sleep(_LOOK)
+        now = _asking
+        if now is not None and now is before:
+            if not attached:
+                attached = janus_swi.attach_engine() or True
+            janus_swi.query_once("catch(thread_signal(Engine, nppg_guard:look), _, true)", {"Engine": now[0]})
+        before = now
+
+
 def _start() -> None:
     janus_swi.query_once("set_prolog_flag(stack_limit, Limit)", {"Limit": _STACK_LIMIT})
     janus_swi.query_once("use_module(File, [])", {"File": str(shipped("prolog") / "bridge.pl")})
+    threading.Thread(target=_watch, name="nppg watch", daemon=True).start()
 
 
 _start()
