@@ -9,6 +9,7 @@
             stop_for/1,          % +Fault                    det
             look/0,              %                           det
             tame/1,              % +Module                   det
+            untame/1,            % +Module                   det
             tamed/2              % ?Head, ?Body              nondet
           ]).
 
@@ -171,6 +172,14 @@ tame(Module) :-
              forall(asks(Head, Goals), meta_predicate(Module:Goals)),
              assertz(Module:(Head :- Body)),
              compile_predicates([Module:Name/Arity]) )).
+
+%!  untame(+Module) is det.
+%
+%   Removes these clauses from a module that is dropped, but for halt/0 and halt/1, which Prolog does not let go.
+
+untame(Module) :-
+    forall(( tamed(Head, _), Head \= halt, Head \= halt(_) ),
+           ( functor(Head, Name, Arity), catch(abolish(Module:Name/Arity), _, true) )).
 
 %!  tamed(?Head, ?Body) is nondet.
 %

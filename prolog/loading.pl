@@ -8,14 +8,14 @@
 :- use_module(contract).
 :- use_module(declarations).
 :- use_module(formula, []).
-:- use_module(guard, [stop_for/1]).
+:- use_module(guard, [stop_for/1, untame/1]).
 :- use_module(call_graph, [static_predicate/2]).
 :- use_module(interpretation, [forget/1, forget_tables/2]).
 :- use_module(randomness, []).
 :- use_module(report, [explanation/2]).
 :- use_module(safety, [forget_files/0, guarding/2, unguarded/1]).
 :- use_module(waiting, []).
-:- use_module(used_files, [reading_used/3, unload_used/1]).
+:- use_module(used_files, [reading_used/3, unload_source/1, unload_used/1]).
 
 /** <module> Loading domain files
 
@@ -25,6 +25,7 @@ beside itself.
 
 :- dynamic
     defines/2,                   % Module, Indicator: of the contract's predicates
+    source/2,                    % Module, Id: what Prolog takes for the file that it comes from
     instances/1.
 instances(0).
 
@@ -139,6 +140,7 @@ first_term(In, Term) :-
 
 load(File, Module) :-
     atomic_list_concat([File, Module], '#', Id),
+    assertz(source(Module, Id)),
     nb_setval(nppg_line, 1),
     Limit = 100 000 000,
     statistics(inferences, Before),
@@ -190,7 +192,8 @@ unload_domain(Module) :-
     forget(Module),
     retractall(defines(Module, _)),
     unload_used(Module),
-    forall(( source_file(Id), atom_concat(_, Module, Id) ), unload_file(Id)),
+    forall(retract(source(Module, Id)), unload_source(Id)),
+    untame(Module),
     forall(( current_predicate(Module:Name/Arity),
              functor(Head, Name, Arity),
              predicate_property(Module:Head, dynamic),

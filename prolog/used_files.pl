@@ -5,11 +5,13 @@
             used_goal/4,         % +Directive, +Spec, +Path, -Goal           semidet
             used_module/3,       % +File, +Term, -Terms                        semidet
             used_files/2,        % +Module, -Files                           det
-            unload_used/1        % +Module                                   det
+            unload_used/1,       % +Module                                   det
+            unload_source/1      % +Id                                       det
           ]).
 
 :- use_module(library(lists), [member/2, memberchk/2]).
 :- use_module(goals, [let_go/1]).
+:- use_module(guard, [untame/1]).
 
 /** <module> The other files of a domain
 
@@ -182,6 +184,14 @@ wanted(Imports, Each) :-
     ;   memberchk(Each, Imports)
     ).
 
+%!  unload_source(+Id) is det.
+%
+%   Removes the clauses that come from a source. To unload_file/1, what was read from a stream is no file.
+
+unload_source(Id) :-
+    '$unload_file'(Id),
+    retractall(system:'$load_context_module'(Id, _, _)).
+
 module_of(Id, Path, Module) :-
     atom_concat(Path, End, Id),
     atom_concat(#, Module, End).
@@ -218,4 +228,4 @@ unload_used(Instance) :-
     retractall(used(Instance, _, _)),
     let_go(Instance),
     forall(retract(part(Instance, Path, _, Id)),
-           ( unload_file(Id), module_of(Id, Path, Module), let_go(Module) )).
+           ( unload_source(Id), module_of(Id, Path, Module), untame(Module), let_go(Module) )).
