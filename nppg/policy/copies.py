@@ -6,12 +6,14 @@ import json
 from collections.abc import Collection, Mapping
 from contextlib import suppress
 from functools import partial
+from itertools import islice
 from pathlib import Path
 
 from nppg.bridge.files import replacing, sha256
 from nppg.errors import Problem
 
 CHECKPOINT = "checkpoint.json"
+BEFORE = "checkpoint.before.json"  # the one before it
 
 
 def conflicts(folder: Path, copies: Mapping[str, bytes], own: Collection[str]) -> dict[str, Problem]:
@@ -40,8 +42,9 @@ def write_copies(folder: Path, copies: Mapping[str, bytes]) -> None:
 def recorded_hashes(folder: Path) -> dict[str, str]:
     """SHA-256 of the inputs that the last run into a folder put there, by name, whether or not it came to its end."""
     found: dict[str, str] = {}
-    with suppress(OSError, ValueError, KeyError, TypeError), (folder / CHECKPOINT).open(encoding="utf-8") as file:
-        found |= json.loads(file.readline())["files"]
+    for name in (BEFORE, CHECKPOINT):
+        with suppress(OSError, ValueError, KeyError, TypeError), (folder / name).open(encoding="utf-8") as file:
+            found |= json.loads(f"{{{[*islice(file, 3)][2].rstrip()[:-1]}}}")["files"]  # its third line
     with suppress(OSError, ValueError, KeyError, TypeError):
         summary = json.loads((folder / "run.json").read_text())
         inputs = (summary["domain"], summary["bias"], *summary.get("beside", ()))

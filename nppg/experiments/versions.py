@@ -1,0 +1,20 @@
+"""What a run's numbers may hang on besides its settings."""
+
+from __future__ import annotations
+
+import platform
+from importlib.metadata import version
+
+import numpy as np
+
+from nppg.bridge.prolog import ask
+
+
+def versions() -> dict[str, str]:
+    """By the names that run.json and checkpoints have for them."""
+    return {
+        "nppg": version("nppg"),
+        "prolog": ask("version"),
+        "python": platform.python_version(),
+        "numpy": np.__version__,
+    }
