@@ -142,8 +142,6 @@ class Checkpoint(NamedTuple):
 
 def last(folder: Path, bias: LanguageBias | None = None) -> Checkpoint:
     """The checkpoint of a folder, as `read` gives it; the one before where it is damaged, of which a warning tells."""
-    if not folder.is_dir():
-        raise told(folder, "there is no such folder to go on from")
     path = folder / CHECKPOINT
     try:
         return read(path, bias)
