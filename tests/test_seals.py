@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from samples import in_plain_prolog
-from test_checkpoints import files
+from test_checkpoints import files, kept
 
 from nppg.bridge.files import shipped
 from nppg.bridge.seals import fault, opened, parts, sealed
@@ -36,7 +36,7 @@ def trained(tmp_path_factory: pytest.TempPathFactory) -> Path:
         patched.setattr(run_files, "_draw", lambda *_: False)
         assert main([*SMALL, "--episodes", "30", "--quiet", "--output", str(folder)]) == 0
     policy = Policy.load(folder / "model.pl")
-    assert policy.trees and (folder / BEFORE).exists()
+    assert policy.trees
     prove(policy, folder / "model.pl").save(folder / "proof.json")
     return folder
 
@@ -168,19 +168,26 @@ def test_only_files_of_nppg_are_signed(folder: Path, tmp_path: Path, capsys: pyt
 # ---------------------------------------------------------------- what is left then
 
 
-def test_the_checkpoint_before_a_damaged_one_is_taken(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    whole, before = files(folder), (folder / BEFORE).read_bytes()
+def test_the_checkpoint_before_a_damaged_one_is_taken(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    whole = files(folder)
+    with monkeypatch.context() as patched:
+        stored = kept(patched)
+        assert main([*SMALL, "--episodes", "30", "--quiet", "--output", str(folder)]) == 0
+    assert files(folder) == whole and not (folder / BEFORE).exists()
+    before, there = stored[3], stored[17]
     (folder / "model.pl").write_bytes(b"")
     assert main(["train", "--resume", str(folder), "--quiet"]) == 0 and files(folder) == whole
     assert capsys.readouterr().err == ""
-    for damage in (b"", b"{", None, (folder / CHECKPOINT).read_bytes()[:-9]):
+    for damage in (b"", b"{", None, there[:-9]):
         (folder / CHECKPOINT).unlink() if damage is None else (folder / CHECKPOINT).write_bytes(damage)
         (folder / "model.pl").write_bytes(b"")
         (folder / BEFORE).write_bytes(before)
         assert main(["train", "--resume", str(folder)]) == 0
         error = capsys.readouterr().err
         what = "is missing" if damage is None else "is damaged"
-        assert f"{folder / CHECKPOINT}: {what}, so the run goes on from the one before, of episode 1" in error
+        assert f"{folder / CHECKPOINT}: {what}, so the run goes on from the one before, of episode 4" in error
         assert files(folder) == whole and checkpoints.read(folder / CHECKPOINT).run["count"] == 30
     (folder / CHECKPOINT).write_bytes(b"{")
     (folder / BEFORE).write_bytes(b"{")

@@ -1,7 +1,7 @@
 """Checkpoints: all that a run hangs on, in one file of its folder, so that it can be gone on with by another process.
 
 The file is data, sealed as bridge/seals.py says: JSON, with a line that says what it is and one with a table of
-bridge/records.py. The one before it stays beside it, for the case that it is damaged.
+bridge/records.py. The one before it stays beside it until the run has ended, for the case that it is damaged.
 """
 
 from __future__ import annotations
@@ -83,11 +83,6 @@ class Checkpoints:
         return time.monotonic() >= self._due
 
     @property
-    def are_kept(self) -> bool:
-        """Whether any is to be written."""
-        return self._every > 0
-
-    @property
     def is_first(self) -> bool:
         """Whether none has been written yet."""
         return self._due == 0.0
@@ -101,12 +96,23 @@ class Checkpoints:
                     _keep(self._folder)
                 write(self._folder / CHECKPOINT, run)
                 if not self.has_good:
-                    with suppress(OSError):
-                        (self._folder / BEFORE).unlink(missing_ok=True)
+                    _remove(self._folder / BEFORE)
                 self.has_good = True
                 files()
             end = time.monotonic()
             self._due = end + max(self._every, _SHARE * (end - begin))
+
+
+    def end(self) -> None:
+        """Leaves the last one alone, or none where none are kept."""
+        if not self._every:
+            _remove(self._folder / CHECKPOINT)
+        _remove(self._folder / BEFORE)
+
+
+def _remove(path: Path) -> None:
+    with suppress(OSError):
+        path.unlink(missing_ok=True)
 
 
 def _keep(folder: Path) -> None:
@@ -116,8 +122,7 @@ def _keep(folder: Path) -> None:
         os.link(folder / CHECKPOINT, new)
         os.replace(new, folder / BEFORE)
     except OSError:
-        with suppress(OSError):
-            new.unlink(missing_ok=True)
+        _remove(new)
 
 
 def write(path: Path, run: Mapping[str, Any]) -> None:
@@ -223,10 +228,3 @@ def _flat(settings: Mapping[str, Any]) -> dict[str, Any]:
     for name, value in settings.items():
         found |= {f"{name}.{key}": each for key, each in value.items()} if isinstance(value, dict) else {name: value}
     return found
-
-
-def forget(folder: Path) -> None:
-    """Removes the checkpoints of an earlier run."""
-    for name in (CHECKPOINT, BEFORE):
-        with suppress(OSError):
-            (folder / name).unlink(missing_ok=True)

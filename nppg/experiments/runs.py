@@ -152,8 +152,7 @@ class _Run:
         finally:
             if self.drawn:
                 self.drawn.close()
-        if not self.checkpoints.are_kept:
-            checkpoints.forget(self.output)
+        self.checkpoints.end()
         progress.written = write_files(progress, self.bias, self.output, self.copies, self.earlier)
         return progress
 
