@@ -70,6 +70,14 @@ def contents(path: Path) -> bytes:
         raise told(path, f"cannot be read: {error.strerror}") from None
 
 
+def is_whole(path: Path) -> bool:
+    """Whether a file is there as it was signed."""
+    try:
+        return fault(path.read_bytes()) is None
+    except OSError:
+        return False
+
+
 def content_hash(path: Path) -> str:
     """SHA-256 of what a file has besides its checksum, in hexadecimal."""
     return sha256(parts(path.read_bytes())[0])

@@ -18,7 +18,7 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.bounds import DATA, bounded
 from nppg.bridge.files import replacing, shipped
 from nppg.bridge.prolog import ask
-from nppg.bridge.seals import fault, opened, sealed
+from nppg.bridge.seals import is_whole, opened, sealed
 from nppg.bridge.terms import ground
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.policy.copies import CHECKPOINT, conflicts, write_copies
@@ -153,8 +153,7 @@ def parsed(path: Path) -> tuple[list, str, list]:
 
 def _anew(path: Path) -> str:
     """How a run's model can be had again, where its checkpoint is whole."""
-    checkpoint = path.with_name(CHECKPOINT)
-    if path.name != "model.pl" or not checkpoint.is_file() or fault(checkpoint.read_bytes()):
+    if path.name != "model.pl" or not is_whole(path.with_name(CHECKPOINT)):
         return ""
     return f"nppg train --resume {path.parent} writes it anew from the checkpoint there; "
 
