@@ -208,7 +208,7 @@ class Run(RuleBasedStateMachine):
 @pytest.mark.filterwarnings("ignore:.*the run goes on from the one before")
 def test_a_run_comes_to_its_end_whatever_happens() -> None:
     run_state_machine_as_test(
-        Run, settings=settings(max_examples=150 if SOAK else 8, stateful_step_count=20 if SOAK else 8, deadline=None)
+        Run, settings=settings(max_examples=80 if SOAK else 5, stateful_step_count=15 if SOAK else 8, deadline=None)
     )
 
 
