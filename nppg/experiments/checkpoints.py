@@ -22,7 +22,7 @@ from nppg.bias.refinement import KIND
 from nppg.bridge.files import replacing, sha256
 from nppg.bridge.interrupts import undisturbed
 from nppg.bridge.records import Kind, fields_of, table_of, value_of
-from nppg.bridge.seals import opened, sealed, told
+from nppg.bridge.seals import is_whole, opened, sealed, told
 from nppg.bridge.terms import Compound
 from nppg.errors import NppgError
 from nppg.experiments.progress import Point
@@ -102,7 +102,6 @@ class Checkpoints:
             end = time.monotonic()
             self._due = end + max(self._every, _SHARE * (end - begin))
 
-
     def end(self) -> None:
         """Leaves the last one alone, or none where none are kept."""
         if not self._every:
@@ -151,8 +150,8 @@ def last(folder: Path, bias: LanguageBias | None = None) -> Checkpoint:
     try:
         return read(path, bias)
     except NppgError as error:
-        if not (folder / BEFORE).is_file():
-            raise told(folder, "there is no checkpoint to go on from") if not path.exists() else error from None
+        if is_whole(path) or not (folder / BEFORE).is_file():
+            raise error if path.exists() else told(folder, "there is no checkpoint to go on from") from None
         try:
             found = read(folder / BEFORE, bias)
         except NppgError:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import platform
+from functools import cache
 from importlib.metadata import version
 
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from nppg.bridge.prolog import ask
 
 
+@cache
 def versions() -> dict[str, str]:
     """By the names that run.json and checkpoints have for them."""
     return {
