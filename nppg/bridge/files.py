@@ -5,7 +5,7 @@ from __future__ import annotations
 import fcntl
 import hashlib
 import os
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -47,6 +47,22 @@ def replacing(path: Path, write_to: Callable[[Path], object]) -> None:
     finally:
         with suppress(OSError):
             temporary.unlink(missing_ok=True)
+
+
+def made(folder: Path) -> None:
+    """Makes a folder where there is none. Raises NppgError."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise NppgError([Problem(str(folder), 0, 0, f"the folder cannot be made: {error.strerror}")]) from None
+
+
+def write_files(folder: Path, files: Mapping[str, bytes]) -> None:
+    """Writes files, contents by name, into a folder of somebody's own, and its folders where names have some."""
+    for name, data in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
 
 
 def _flush(path: Path) -> None:

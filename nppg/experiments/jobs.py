@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from nppg.bias.language_bias import LanguageBias
-from nppg.bridge.files import replacing
+from nppg.bridge.files import made, replacing, write_files
 from nppg.bridge.interrupts import undisturbed
 from nppg.errors import NppgError
 from nppg.experiments import checkpoints
@@ -156,8 +156,7 @@ def _learned_elsewhere(sent: _Sent) -> tuple[dict[str, bytes], float]:
     with tempfile.TemporaryDirectory() as parent:
         folder = Path(parent, sent.job.folder.name)
         folder.mkdir()
-        for name, data in sent.files.items():
-            (folder / name).write_bytes(data)
+        write_files(folder, sent.files)
         begin = time.perf_counter()
         try:
             sent.job.learn(folder, heed_abandoned)
@@ -167,7 +166,7 @@ def _learned_elsewhere(sent: _Sent) -> tuple[dict[str, bytes], float]:
 
 
 def _contents(folder: Path) -> dict[str, bytes]:
-    return {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
 @undisturbed()
@@ -175,6 +174,7 @@ def _put(files: Mapping[str, bytes], sent: _Sent) -> None:
     """Makes the folder here what it is there."""
     for name, data in files.items():
         if sent.files.get(name) != data:
+            made((sent.job.folder / name).parent)
             replacing(sent.job.folder / name, partial(Path.write_bytes, data=data))
     for name in set(sent.files) - set(files):
         (sent.job.folder / name).unlink(missing_ok=True)

@@ -9,8 +9,8 @@ from functools import partial
 from itertools import islice
 from pathlib import Path
 
-from nppg.bridge.files import replacing, sha256
-from nppg.errors import Problem
+from nppg.bridge.files import made, replacing, sha256
+from nppg.errors import NppgError, Problem
 
 CHECKPOINT = "checkpoint.json"
 BEFORE = "checkpoint.before.json"  # the one before it
@@ -34,9 +34,12 @@ def conflicts(folder: Path, copies: Mapping[str, bytes], own: Collection[str]) -
 
 
 def write_copies(folder: Path, copies: Mapping[str, bytes]) -> None:
-    """Writes the copies that are not there yet."""
+    """Writes the copies that are not there yet, and the folders that their names have. Raises NppgError."""
     for name, source in copies.items():
+        if Path(name).is_absolute() or ".." in Path(name).parts:
+            raise NppgError([Problem(str(folder), 0, 0, f"{name} is no name of a file in the folder")])
         if _contents(folder / name) != source:
+            made((folder / name).parent)
             replacing(folder / name, partial(Path.write_bytes, data=source))
 
 

@@ -16,7 +16,7 @@ from typing import NamedTuple, Protocol
 from nppg.bias.declarations import Template, TreeLimits
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.bounds import DATA, bounded
-from nppg.bridge.files import replacing, shipped
+from nppg.bridge.files import made, replacing, shipped
 from nppg.bridge.prolog import ask
 from nppg.bridge.seals import is_whole, opened, sealed
 from nppg.bridge.terms import ground
@@ -57,10 +57,7 @@ class Stored(NamedTuple):
 def write(policy: Writable, path: Path, facts: Sequence[tuple] = (), sentences: Sequence[Sequence[str]] = ()) -> None:
     """Writes the model, and a copy of its domain beside it, into a folder that is made if need be. Raises NppgError
     where there are `conflicts`."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise NppgError([Problem(str(path.parent), 0, 0, f"the folder cannot be made: {error.strerror}")]) from None
+    made(path.parent)
     copies = {policy.domain.path.name: policy.domain.source, **policy.domain.companions}
     if problems := conflicts(path.parent, copies, [path.name]):
         raise NppgError(problems.values())
