@@ -20,6 +20,7 @@ import numpy as np
 from nppg.bridge import home as prolog_home
 from nppg.bridge.files import shipped
 from nppg.bridge.interrupts import heed_interrupt
+from nppg.bridge.watch import COUNT, watch
 from nppg.errors import NppgError, Problem, suggestion
 
 prolog_home.prepare()
@@ -136,10 +137,13 @@ def ask(question: str, *args: Any) -> Any:
         while _dropped:
             last, *its_args = _dropped.popleft()
             janus_swi.apply_once("nppg_bridge", "ask", last, its_args)
+        COUNT[0] += 1
         try:
             done, value = janus_swi.apply_once("nppg_bridge", "ask", question, list(args))
         except janus_swi.PrologError:
             done, value = janus_swi.apply_once("nppg_bridge", "ask", "aborted", [question])
+        finally:
+            COUNT[0] += 1
     heed_interrupt()
     if not done:
         raise NppgError(_problem(*each) for each in value)
@@ -156,9 +160,20 @@ def drop_with(owner: object, question: str, *args: Any) -> None:
     weakref.finalize(owner, _dropped.append, (question, *args)).atexit = False
 
 
+def _look() -> int:
+    """Has the thread that started Prolog look at itself, as soon as Prolog comes by there; how often it has."""
+    janus_swi.attach_engine()
+    try:
+        looked: int = janus_swi.query_once("nppg_guard:look(Looked)")["Looked"]
+        return looked
+    finally:
+        janus_swi.detach_engine()
+
+
 def _start() -> None:
     janus_swi.query_once("set_prolog_flag(stack_limit, Limit)", {"Limit": _STACK_LIMIT})
     janus_swi.query_once("use_module(File, [])", {"File": str(shipped("prolog") / "bridge.pl")})
+    watch(_look)
 
 
 _start()
