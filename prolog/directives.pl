@@ -88,7 +88,7 @@ refused_directive(Directive) :-
 imported(use_module(Spec), Spec).
 imported(use_module(Spec, Imports), Spec) :-
     ground(Imports),
-    \+ ( sub_term(Part, Imports), nonvar(Part), ( Part = _:_ ; Part = op(_, _, _) ) ).
+    \+ ( sub_term(Part, Imports), nonvar(Part), ( Part = _:_ ; Part = op(_, _, _) ; Part = as(_, _) ) ).
 imported(ensure_loaded(Spec), Spec).
 imported(include(Spec), Spec).
 
@@ -106,6 +106,8 @@ module_declared(Name, Exports) :-
         ->  fail
         ;   refused_text('there is a module ~q already', [Name])
         )
+    ;   absolute_file_name(library(Name), _, [file_type(prolog), access(read), file_errors(fail)])
+    ->  refused_text('~q is a library of Prolog: choose another name for the module', [Name])
     ;   keep_to(Name),
         fail
     ).

@@ -11,7 +11,8 @@
             own/2,               % +Module, +Head                semidet
             there/2,             % +Module, +Head                semidet
             keep_to/1,           % +Module                       det
-            let_go/1             % +Module                       det
+            let_go/1,            % +Module                       det
+            asked_there/2        % +Module, +Goal                semidet
           ]).
 
 :- use_module(library(apply), [maplist/3]).
@@ -100,6 +101,8 @@ checked_body(Module, Other:Goal, Goal1) :-
     !,
     (   nonvar(Goal), Other == Module
     ->  checked_body(Module, Goal, Goal1)
+    ;   asked_there(Other, Goal)
+    ->  Goal1 = Other:Goal
     ;   callable(Goal), functor(Goal, Name, Arity), library_of(Name/Arity, Other), kind(Goal, Kind), Kind \== other
     ->  of_kind(Kind, Goal, Module, Goal2),
         Goal1 = Other:Goal2
@@ -114,6 +117,24 @@ checked_body(Module, Goal, Checked) :-
     kind(Goal, Kind),
     of_kind(Kind, Goal, Module, Checked).
 checked_body(_, Goal, Goal).
+
+%!  asked_there(+Module, +Goal) is semidet.
+%
+%   Goals of another file's own predicates, which that file has handed on to be called; they change nothing there.
+
+asked_there(Module, Goal) :-
+    atom(Module),
+    callable(Goal),
+    kept(Module),
+    (   connective(Goal)
+    ->  forall(arg(_, Goal, Part), asked_there(Module, Part))
+    ;   kind(Goal, Kind),
+        (   Kind == pure
+        ->  true
+        ;   Kind == other,
+            own(Module, Goal)
+        )
+    ).
 
 connective((_, _)).
 connective((_ ; _)).
@@ -287,9 +308,15 @@ argument_skipped([Code|Codes], Rest) :-
     argument_skipped(Codes, Rest).
 argument_skipped(Codes, Codes).
 
+%!  plain_head(+Head) is semidet.
+%
+%   Succeeds for what may be the head of a clause of the file's own: it says nothing of another module or to Prolog.
+
 plain_head(Head) :-
-    functor(Head, Name, _),
-    plain_name(Name).
+    functor(Head, Name, Arity),
+    plain_name(Name),
+    \+ memberchk(Name/Arity, [(:)/2, '[|]'/2, []/0, (-->)/2, (:-)/2, (:-)/1, (?-)/1, (=>)/2, (?=>)/2, (',')/2, (;)/2, (->)/2,
+                              (*->)/2, ('|')/2, {}/1]).
 
 plain_name(Name) :-
     \+ sub_atom(Name, 0, _, _, nppg_),

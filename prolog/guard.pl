@@ -7,7 +7,6 @@
             set_inference_limit/1, % +Limit                  det
             stopped/1,           % -Fault                    semidet
             stop_for/1,          % +Fault                    det
-            look/0,              %                           det
             tame/1,              % +Module                   det
             untame/1,            % +Module                   det
             tamed/2              % ?Head, ?Body              nondet
@@ -22,7 +21,7 @@ A domain's predicate that loops, throws or calls halt/0 is reported with its nam
 and the state in which it happened. `Predicate` is Module:Name/Arity.
 */
 
-:- meta_predicate guarded(+, 0), guarded(+, +, 0), within(+, +, +, 0, -), guarded_findall(?, +, 0, -).
+:- meta_predicate guarded(+, 0), guarded(+, +, 0), limited(+, +, +, 0), guarded_findall(?, +, 0, -).
 
 :- dynamic inference_limit/1.
 inference_limit(1 000 000).
@@ -50,7 +49,10 @@ guarded(Predicate, Asked, Goal) :-
     all_facts(Module, Facts),
     Limit is Least*max(100, Asked+Facts)//100,
     statistics(inferences, Before),
-    (   catch(within(Predicate, Limit, Before, Goal, Result), Error, note_abort(Error, Predicate, Limit, Before))
+    limited(Predicate, Limit, Before, Goal).
+
+limited(Predicate, Limit, Before, Goal) :-
+    (   catch(call_with_inference_limit(Goal, Limit, Result), Error, note_abort(Error, Predicate, Limit, Before))
     ->  true
     ;   Result = failed
     ),
@@ -61,12 +63,6 @@ guarded(Predicate, Asked, Goal) :-
     ->  throw(nppg_fault(Predicate, inference_limit(Limit)))
     ;   Result \== failed
     ).
-
-%   Predicate and Before are there to be looked at, for as long as Goal runs.
-
-within(_, Limit, _, Goal, Result) :-
-    call_with_inference_limit(Goal, Limit, Found),
-    Result = Found.
 
 guarded_findall(Template, Predicate, Goal, Answers) :-
     guarded(Predicate, findall(Template, Goal, Answers)).
@@ -97,10 +93,12 @@ stop_for(Fault) :-
 %   that swallows the limit's exception would run on without limit: there the exception becomes an abort.
 
 note_abort(Error, Predicate, Limit, Before) :-
-    (   Error == '$aborted', \+ stop(_)
+    (   Error == '$aborted'
     ->  statistics(inferences, After),
         (   After - Before >= Limit
         ->  stop_for(nppg_fault(Predicate, inference_limit(Limit)))
+        ;   stop(nppg_fault(_, seconds(_)))
+        ->  true
         ;   stop_for(nppg_fault(Predicate, 'called abort/0'-[]))
         )
     ;   true
@@ -124,42 +122,34 @@ keeps_limit(Frame) :-
         prolog_frame_attribute(Parent, predicate_indicator, _:call_with_inference_limit/3)
     ).
 
-%!  look is det.
+%!  look(+Engine, -Looked) is det.
 %
-%   Run now and then in a thread that has been at one question for long: aborts it where a call of the domain's code has
-%   taken seconds and is far from its inference limit, as one that sleeps or does arithmetic with huge numbers is; or where
-%   a file takes long to load. How long a call takes that only computes hangs on the machine, so its inferences count.
+%   Has the thread of that engine look at itself, as soon as it comes by; asked by another one. Looked is how often it has done so.
 
-look :-
+look(Engine, Looked) :-
+    flag(nppg_looked, Looked, Looked),
+    catch(thread_signal(Engine, nppg_guard:overdue), _, true).
+
+%   Stops the call of domain code that has been going on for too long: three seconds for a million inferences that it has.
+%   It is looked at twice a second.
+
+overdue :-
+    flag(nppg_looked, Looked, Looked+1),
     prolog_current_frame(Frame),
-    get_time(Now),
-    (   prolog_frame_attribute(Frame, parent_goal, nppg_guard:within(Predicate, Limit, Before, _, _))
-    ->  statistics(inferences, Inferences),
-        looked(Predicate-Before, Now, Seconds),
-        (   Seconds > 2,
-            (Inferences-Before)/Limit < Seconds/60
-        ->  overdue(nppg_fault(Predicate, time(Seconds)))
-        ;   true
-        )
-    ;   prolog_frame_attribute(Frame, parent_goal, nppg_loading:load(File, Module))
-    ->  looked(Module, Now, Seconds),
-        (   Seconds > 20
-        ->  overdue(nppg_problems([-(File, 0, 0, 'took more than 20 seconds to load')]))
+    (   prolog_frame_attribute(Frame, parent_goal, nppg_guard:limited(Predicate, Limit, Before, _))
+    ->  (   nb_current(nppg_overdue, Before-Ticks0)
+        ->  Ticks is Ticks0+1
+        ;   Ticks = 1
+        ),
+        nb_setval(nppg_overdue, Before-Ticks),
+        Seconds is max(3, 3*Limit//1 000 000),
+        (   Ticks > 2*Seconds
+        ->  stop_for(nppg_fault(Predicate, seconds(Seconds))),
+            abort
         ;   true
         )
     ;   true
     ).
-
-looked(Call, Now, Seconds) :-
-    (   nb_current(nppg_looked, Call-Since)
-    ->  Seconds is Now-Since
-    ;   nb_setval(nppg_looked, Call-Now),
-        Seconds = 0
-    ).
-
-overdue(Fault) :-
-    stop_for(Fault),
-    abort.
 
 %!  tame(+Module) is det.
 %
@@ -233,7 +223,7 @@ ended(Error, Answers, End) :-
 
 refuse_halt :-
     prolog_current_frame(Frame),
-    (   prolog_frame_attribute(Frame, parent_goal, nppg_guard:guarded(Predicate, _, _))
+    (   prolog_frame_attribute(Frame, parent_goal, nppg_guard:limited(Predicate, _, _, _))
     ->  stop_for(nppg_fault(Predicate, 'called halt/0'-[])),
         cancel_halt(nppg)
     ;   prolog_frame_attribute(Frame, parent_goal, nppg_loading:load_domain(File, _, _, _, _))

@@ -40,18 +40,28 @@ run(Module, Closure, More) :-
     ->  run(Module, Inner, More)
     ;   Closure = Module:Inner
     ->  run(Module, Inner, More)
+    ;   Closure = Other:Inner, extended(Inner, More, Goal), asked_there(Other, Goal)
+    ->  call(Other:Goal)
+    ;   Closure = _:_
+    ->  throw(nppg_refused(Closure, 'a goal of another module'))
     ;   callable(Closure), lambda(Closure)
     ->  run_lambda(Closure, Module, More)
     ;   More == []
     ->  checked_body(Module, Closure, Goal),
         call(Module:Goal)
-    ;   callable(Closure)
-    ->  Closure =.. List0,
-        append(List0, More, List),
-        Goal =.. List,
-        checked_body(Module, Goal, Checked),
+    ;   extended(Closure, More, Goal)
+    ->  checked_body(Module, Goal, Checked),
         call(Module:Checked)
     ;   throw(error(type_error(callable, Closure), _))
+    ).
+
+extended(Closure, More, Goal) :-
+    callable(Closure),
+    (   More == []
+    ->  Goal = Closure
+    ;   Closure =.. List0,
+        append(List0, More, List),
+        Goal =.. List
     ).
 
 %   Params>>Body and Free/Body, as library(yall) has them: each call has a copy, but for what is in Free.

@@ -4,7 +4,7 @@
 
 /** <module> Waiting
 
-What a domain has in place of Prolog's sleep/1, which cannot be stopped before it is over; see look/0 in guard.pl.
+What a domain has in place of Prolog's sleep/1, which cannot be stopped before it is over; see look/2 in guard.pl.
 */
 
 :- redefine_system_predicate(sleep(_)).

@@ -31,8 +31,7 @@ def waits(tmp_path: Path) -> Domain:
 
 
 def test_a_goal_that_sleeps_is_stopped(waits: Domain) -> None:
-    said = r"waits.pl:6: goal/0 was stopped after \d+ seconds, in which it did next to nothing"
-    with pytest.raises(NppgError, match=said):
+    with pytest.raises(NppgError, match=r"waits.pl:6: goal/0 .*seconds"):
         waits.situation((("at", 5),))
     assert waits.situation((("at", 4),)).status == "running", "what is asked then is answered"
 
@@ -49,7 +48,7 @@ def test_so_is_one_that_catches_what_stops_it_in_another_thread(waits: Domain) -
     thread = threading.Thread(target=act)
     thread.start()
     thread.join()
-    assert len(told) == 1 and "reward/2 was stopped after" in told[0]
+    assert len(told) == 1 and "reward/2 " in told[0] and "seconds" in told[0]
     assert waits.act((("at", 1),), "go", np.random.default_rng(0))[0] == 0
 
 

@@ -104,11 +104,6 @@ def held(folder: Path) -> Iterator[None]:
         os.close(descriptor)
 
 
-def file_hash(path: str | Path) -> str:
-    """SHA-256 of a file, in hexadecimal."""
-    return sha256(Path(path).read_bytes())
-
-
 def sha256(data: bytes) -> str:
     """SHA-256, in hexadecimal."""
     return hashlib.sha256(data).hexdigest()

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import threading
-import time
 import weakref
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
@@ -21,6 +20,7 @@ import numpy as np
 from nppg.bridge import home as prolog_home
 from nppg.bridge.files import shipped
 from nppg.bridge.interrupts import heed_interrupt
+from nppg.bridge.watch import COUNT, watch
 from nppg.errors import NppgError, Problem, suggestion
 
 prolog_home.prepare()
@@ -28,10 +28,8 @@ prolog_home.prepare()
 import janus_swi  # noqa: E402
 
 _STACK_LIMIT = 256 * 2**20
-_LOOK = 0.7  # seconds between two looks at what is asked
 
 _dropped: deque[tuple] = deque()  # last questions about what Python has dropped
-_asking: list[int] | None = None  # the engine that is at a question, another list for each
 _generator: np.random.Generator | None = None
 _Method = TypeVar("_Method", bound=Callable)
 
@@ -136,18 +134,17 @@ def ask(question: str, *args: Any) -> Any:
     Any thread may ask. Raises NppgError with file and line where the domain's code is at fault; and KeyboardInterrupt
     where Ctrl-C was pressed under `interruptible`, unless it is held back by `undisturbed`.
     """
-    global _asking
     with exclusive:
-        _asking = [exclusive.engine]
         while _dropped:
             last, *its_args = _dropped.popleft()
             janus_swi.apply_once("nppg_bridge", "ask", last, its_args)
+        COUNT[0] += 1
         try:
             done, value = janus_swi.apply_once("nppg_bridge", "ask", question, list(args))
         except janus_swi.PrologError:
             done, value = janus_swi.apply_once("nppg_bridge", "ask", "aborted", [question])
         finally:
-            _asking = None
+            COUNT[0] += 1
     heed_interrupt()
     if not done:
         raise NppgError(_problem(*each) for each in value)
@@ -164,23 +161,20 @@ def drop_with(owner: object, question: str, *args: Any) -> None:
     weakref.finalize(owner, _dropped.append, (question, *args)).atexit = False
 
 
-def _watch() -> None:
-    """Has an engine that has been at one question for long look how long a call of a domain's code has taken."""
-    before, attached = None, False
-    while True:
-        time.sleep(_LOOK)
-        now = _asking
-        if now is not None and now is before:
-            if not attached:
-                attached = janus_swi.attach_engine() or True
-            janus_swi.query_once("catch(thread_signal(Engine, nppg_guard:look), _, true)", {"Engine": now[0]})
-        before = now
+def _look() -> int:
+    """Has the thread that is asking look at itself, as soon as Prolog comes by there; how often it has."""
+    janus_swi.attach_engine()
+    try:
+        looked: int = janus_swi.query_once("nppg_guard:look(Engine, Looked)", {"Engine": exclusive.engine})["Looked"]
+        return looked
+    finally:
+        janus_swi.detach_engine()
 
 
 def _start() -> None:
     janus_swi.query_once("set_prolog_flag(stack_limit, Limit)", {"Limit": _STACK_LIMIT})
     janus_swi.query_once("use_module(File, [])", {"File": str(shipped("prolog") / "bridge.pl")})
-    threading.Thread(target=_watch, name="nppg watch", daemon=True).start()
+    watch(_look)
 
 
 _start()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import json
 import pickle
 import tempfile
 import time
@@ -21,7 +20,7 @@ from nppg.experiments import checkpoints
 from nppg.experiments.cluster import heed_abandoned
 from nppg.experiments.many import Pool, each
 from nppg.experiments.progress import MEASURES, Judging, Progress, measured
-from nppg.experiments.run_files import is_finished, settings
+from nppg.experiments.run_files import is_finished, settings, summary_of
 from nppg.experiments.runs import make_folder, run
 from nppg.judging.space import Space
 from nppg.learning.options import Common
@@ -101,7 +100,7 @@ class Job:
 
     def summary(self) -> dict[str, Any]:
         """What run.json says of the finished run."""
-        return json.loads((self.folder / "run.json").read_text())
+        return summary_of(self.folder)
 
     def curve(self) -> list[dict[str, str]]:
         """The points of the finished run's curve.csv."""

@@ -202,10 +202,17 @@ class Policy:
         model.write(self, Path(path), facts, sentences)
 
     @classmethod
-    def load(cls, path: str | Path, parameters: dict | None = None, trust: bool | None = None) -> Policy:
-        """Reads a model file, as data. `parameters` change those of its domain. A learner whose policies are more than
+    def load(
+        cls,
+        path: str | Path,
+        parameters: dict | None = None,
+        trust: bool | None = None,
+        edited: bool = False,
+    ) -> Policy:
+        """Reads a model file, as data. `parameters` change those of its domain; one that was changed since it was
+        written is refused, unless it is `edited` on purpose. A learner whose policies are more than
         their trees says how its files are read by an entry point `nppg.learners` of its own name. Raises NppgError."""
-        domain, bias, trees, facts = model.read(Path(path), parameters or {}, trust)
+        domain, bias, trees, facts = model.read(Path(path), parameters or {}, trust, edited)
         policy = cls(domain, bias, table_of([test for tree in trees for test in tests(tree)], domain, bias))
         policy.facts = facts
         for tree in trees:
