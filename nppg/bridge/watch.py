@@ -14,20 +14,11 @@ from collections.abc import Callable
 
 _TICK = 0.5  # seconds
 _PATIENCE = 2  # ticks until a question is looked at
-__WAKE = signal.SIGURG
-STUCK = 8  # ticks without an answer to that, after which a process of its own is ended
+_STUCK = 7  # ticks without an answer to that, after which a process of its own is ended
 _WAKE = signal.SIGURG
-STUCK = "the domain's code hangs in one operation: the process is ended"
 
 #: How often a question has begun or ended: odd while one is being answered.
 COUNT = [0]
-_alone = False
-
-
-def end_when_stuck() -> None:
-    """The process is there for one command alone, so it is ended where it hangs."""
-    global _alone
-    _alone = True
 
 
 def watch(look: Callable[[], int]) -> None:
@@ -53,6 +44,6 @@ def _watch(look: Callable[[], int], asleep: int) -> None:
             if asleep:
                 signal.pthread_kill(asleep, _WAKE)
             unanswered = unanswered + 1 if looked == before else 0
-            if _alone and unanswered >= _STUCK:
-                print(STUCK, file=sys.stderr, flush=True)
+            if unanswered >= _STUCK and os.environ.get("NPPG_ISOLATED") == "1":  # see nppg.cli.isolating
+                print("the domain's code hangs in one operation: the process is ended", file=sys.stderr, flush=True)
                 os._exit(2)
