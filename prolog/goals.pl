@@ -137,6 +137,7 @@ asked_there(Module, Goal) :-
 
 connective((_, _)).
 connective((_ ; _)).
+connective('|'(_, _)).                   % as ; to the compiler
 connective((_ -> _)).
 connective((_ *-> _)).
 connective(\+ _).
