@@ -128,7 +128,7 @@ asked_there(Module, Goal) :-
     (   connective(Goal)
     ->  forall(arg(_, Goal, Part), asked_there(Module, Part))
     ;   kind(Goal, Kind),
-        (   Kind == pure
+        (   memberchk(Kind, [pure, special(arithmetic)])
         ->  true
         ;   Kind == other,
             own(Module, Goal)

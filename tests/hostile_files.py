@@ -89,10 +89,13 @@ TOP = {
     "wrap": f":- wrap_predicate(walk:start(_), w, _, {WRITES}).",
     "quasi quotation": "x({|shell||touch MARK|}).",
     "dictionary": "p(X) :- X = system{}.shell('touch MARK').",
-    "dictionary behind a blank": "p(X) :- dict_options(D, [a(1)]), arg(1, D, system), X = D .catch(shell('touch MARK')).",
-    "dictionary by a quoted name": "p(X) :- dict_options(D, [a(1)]), arg(1, D, system), X = D .'catch'(shell('touch MARK')).",
+    "dictionary behind a blank":
+    "p(X) :- dict_options(D, [a(1)]), arg(1, D, system), X = D .catch(shell('touch MARK')).",
+    "dictionary by a quoted name":
+    "p(X) :- dict_options(D, [a(1)]), arg(1, D, system), X = D .'catch'(shell('touch MARK')).",
     "function of a dictionary": f"M.f() := X :- {WRITES}.",
-    "renamed import": ":- use_module(library(apply), [maplist/2 as memberchk]).\np :- memberchk(shell, ['touch MARK']).",
+    "renamed import":
+    ":- use_module(library(apply), [maplist/2 as memberchk]).\np :- memberchk(shell, ['touch MARK']).",
     "renamed lambda": f":- use_module(library(yall), [(>>)/2 as member]).\np :- member([], {WRITES}).",
     "single-sided rule": f"evil => {WRITES}.",
     "soft single-sided rule": f"'?=>'(evil, {WRITES}).",
@@ -195,7 +198,7 @@ BODY = {
     "global variable of Prolog": "b_setval('$term', x)",
     "profiled": f"profile({WRITES})",
     "timed": f"time({WRITES})",
-    "concurrent": f"concurrent_maplist(shell, ['touch MARK'])",
+    "concurrent": "concurrent_maplist(shell, ['touch MARK'])",
     "first solution": f"first_solution(_, [{WRITES}], [])",
     "garbage": "garbage_collect_atoms, set_prolog_gc_thread(true)",
     "erase": "clause(start(_), _, R), erase(R)",
@@ -320,6 +323,8 @@ BIASES = {
     "keys": "".join(f"k{i}: 1\n" for i in range(10_000)),
     "documents": "--- a\n" * 10_000,
     "bytes": "# " + "x" * 10_000_000,
-    "laughs": "a: &a [x]\n" + "".join(f"{b}: &{b} [{'*%s, ' % a * 9}]\n" for a, b in zip("abcdefgh", "bcdefghi", strict=True)),
+    "laughs": "a: &a [x]\n" + "".join(
+        f"{b}: &{b} [{f'*{a}, ' * 9}]\n" for a, b in zip("abcdefgh", "bcdefghi", strict=True)
+    ),
     "itself": "modes: &a [*a]\n",
 }

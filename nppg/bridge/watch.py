@@ -1,7 +1,7 @@
 """A watch over questions that take long: domain code that is over its time is stopped, or the process that is its own.
 
-A thread of Python looks on. It has the thread that asks look at itself (`overdue` in prolog/guard.pl), which works wherever
-Prolog comes by; not within one operation, such as a product of enormous numbers, that never ends.
+A thread of Python looks on. It has the thread that asks look at itself (`overdue` in prolog/guard.pl), which works
+wherever Prolog comes by; not within one operation, such as a product of enormous numbers, that never ends.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ COUNT = [0]
 
 
 def watch(look: Callable[[], int]) -> None:
-    """Starts the watch over this thread. `look` has it look at itself soon, and tells how often it has done so. A signal
-    that nobody uses, if so it is, wakes it where it sleeps."""
+    """Starts the watch over this thread. `look` has it look at itself soon, and tells how often it has done so. A
+    signal that nobody uses, if so it is, wakes it where it sleeps."""
     wakes = threading.current_thread() is threading.main_thread() and signal.getsignal(_WAKE) is signal.SIG_DFL
     if wakes:
         signal.signal(_WAKE, lambda *_: None)

@@ -18,7 +18,7 @@ _VARIABLE = "NPPG_ISOLATED"  # tells the process, and those that it starts, that
 
 # The folder in which a command is given, perhaps a stranger's, is none to import from.
 _MAIN = "import sys; sys.path[:1] = []; sys.path.append({root!r}); from nppg.cli.main import main; sys.exit(main())"
-_CRASHES = (b"Traceback (most recent call last)", b"Fatal Python error", b"[FATAL ERROR", b"SWI-Prolog [", b"terminate called")
+_CRASHES = (b"Traceback (most recent", b"Fatal Python error", b"[FATAL ERROR", b"SWI-Prolog [", b"terminate called")
 
 
 def is_isolated() -> bool:
@@ -52,8 +52,8 @@ def isolated(arguments: Sequence[str]) -> int:
     if status in (0, 2, 130):
         return status
     raise NppgError(
-        f"the process of its own was ended (status {status}): it wanted more than {MEMORY >> 30} GB of memory, or something "
-        "ended it; the last checkpoint, if there is one, is whole"
+        f"the process of its own was ended (status {status}): it wanted more than {MEMORY >> 30} GB of memory, or "
+        "something ended it; the last checkpoint, if there is one, is whole"
     )
 
 
