@@ -14,6 +14,7 @@
 :- use_module(randomness, []).
 :- use_module(report, [explanation/2]).
 :- use_module(safety, [forget_files/0, guarding/2, unguarded/1]).
+:- use_module(used_files, [reading_used/3, unload_used/1]).
 
 /** <module> Loading domain files
 
@@ -44,7 +45,7 @@ load_domain(File, Parameters, Trust, Module, Description) :-
     ;   file_directory_name(File, Folder),
         Load = guarding(Folder, load(File, Module))
     ),
-    reading(Module, Name, File, Parameters, Load, Heard, Refused0),
+    reading(Module, Name, File, Parameters, reading_used(Module, File, Load), Heard, Refused0),
     findall(Problem, unguarded(Problem), Refused, Refused0),
     must_be_harmless(Refused, Module),
     add_import_module(Module, nppg_randomness, start),
@@ -178,6 +179,7 @@ syntax_error(-(_, _, _, Text)) :-
 unload_domain(Module) :-
     forget(Module),
     retractall(defines(Module, _)),
+    unload_used(Module),
     forall(( source_file(Id), atom_concat(_, Module, Id) ), unload_file(Id)),
     forall(( current_predicate(Module:Name/Arity),
              functor(Head, Name, Arity),

@@ -128,6 +128,9 @@ def add_parameters(parser: argparse.ArgumentParser | argparse._ArgumentGroup) ->
 def add_model(parser: argparse.ArgumentParser) -> None:
     """A model file."""
     parser.add_argument("model", type=Path, help="a model file")
+    parser.add_argument(
+        "--edited", action="store_true", help="take the file as it is, though it was changed since nppg wrote it"
+    )
     add_trust(parser)
 
 
