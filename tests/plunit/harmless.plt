@@ -11,12 +11,12 @@ test(format, all(Text == ["~w and ~10|~q", "~`xt~20|", "~~@"])) :-
     string_codes(Text, Codes),
     plain_format(Codes).
 
-test(sink, all(Sink == [user_error, atom(_)])) :-
-    member(Sink, [user_error, atom(_), 'a.txt', user_input, _]),
+test(sink, all(Sink == [user_error, atom(a)])) :-
+    member(Sink, [user_error, atom(a), 'a.txt', user_input, _]),
     sink(Sink).
 
-test(power, all(Term == [2**_, 2**100, _<<3])) :-
-    member(Term, [2**_, 2**100, _**2, _<<3, 2+3, _]),
+test(power, all(Term == [2**x, 2**100, x<<3])) :-
+    member(Term, [2**x, 2**100, x**2, x<<3, 2+3, x]),
     power(Term).
 
 test(lambda, all(Term == [[x]>>true, a/([x]>>true)])) :-
