@@ -58,7 +58,7 @@ def test_saved_and_loaded_potentials_are_equal_to_the_bit(policy: Policy, tmp_pa
 
 
 def without_comments(path: Path) -> list[str]:
-    return [line for line in path.read_text().splitlines() if not line.startswith("% tree")]
+    return [line for line in path.read_text().splitlines() if not line.startswith(("% tree", "% SHA-256"))]
 
 
 def test_a_loaded_model_is_saved_as_it_was(setting, tmp_path: Path) -> None:
