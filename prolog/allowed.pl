@@ -145,6 +145,9 @@ special(stream, [write/2, writeln/2, writeq/2, print/2, nl/1, tab/2, write_canon
 special(text, [term_to_atom/2, term_string/2, atom_to_term/3, read_term_from_atom/3]).
 special(options, [write_term/2]).
 special(phrase, [phrase/2, phrase/3]).
+special(digits, [atom_number/2, number_codes/2, number_chars/2, number_string/2, name/2]).
+special(width, [tab/1]).
+special(arithmetic, [(is)/2, (=:=)/2, (=\\=)/2, (<)/2, (>)/2, (=<)/2, (>=)/2]).
 
 built_in([ true/0, fail/0, false/0, repeat/0, !/0, (\+)/1, not/1, once/1, ignore/1, call/1, call/2, call/3, call/4, call/5,
            call/6, call/7, call/8, forall/2, findall/3, findall/4, bagof/3, setof/3, catch/3, findnsols/4, call_cleanup/2,

@@ -3,9 +3,10 @@
             with_text/2          % +Module, +Goal                nondet
           ]).
 
-:- use_module(library(lists), [append/3]).
+:- use_module(library(lists), [append/3, memberchk/2]).
 :- use_module(allowed, [kind/2]).
 :- use_module(goals).
+:- use_module(harmless).
 
 /** <module> Goals that are made while a domain runs that is not trusted
 
@@ -92,6 +93,8 @@ with_text(Module, Goal) :-
     kind(Goal, special(What)),
     (   known_now(What, Goal, Module, Checked)
     ->  call(Module:Checked)
+    ;   memberchk(What, [digits, width, arithmetic])
+    ->  throw(nppg_refused('a number or a text is too large', ''))
     ;   refused(Goal)
     ).
 
@@ -125,3 +128,41 @@ known_now(format, Goal, Module, Goal) :-
     Same == Goal.
 known_now(text, Goal, _, Goal) :-
     \+ ( arg(_, Goal, Text), atomic(Text), \+ number(Text), atom_length(Text, Length), Length > 1000 ).
+known_now(digits, Goal, _, Goal) :-
+    \+ ( arg(_, Goal, Text), \+ number(Text), long(Text) ).
+known_now(width, tab(Width), _, tab(Width)) :-
+    Width < 10 000.
+known_now(arithmetic, Goal, _, Goal) :-
+    arg(2, Goal, Right),
+    small(Right),
+    (   functor(Goal, is, 2)
+    ->  true
+    ;   arg(1, Goal, Left),
+        small(Left)
+    ).
+
+long(Text) :-
+    (   is_list(Text)
+    ->  length(Text, Length)
+    ;   atomic(Text),
+        atom_length(Text, Length)
+    ),
+    Length > 1000.
+
+%   No power in the expression has more than a million bits.
+
+small(Expression) :-
+    (   compound(Expression)
+    ->  \+ ( arg(_, Expression, Part), \+ small(Part) ),
+        \+ ( arguments(Expression, Base, Exponent), Bits is msb(abs(Base)+1)*Exponent, Bits > 1 000 000 )
+    ;   true
+    ).
+
+arguments(Power, Base, Exponent) :-
+    (   ( Power = Left**Right ; Power = Left^Right )
+    ;   Power = _<<Right,
+        Left = 2
+    ),
+    catch(( Base is Left, Exponent is Right ), _, fail),
+    integer(Base),
+    integer(Exponent).

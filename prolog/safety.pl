@@ -11,6 +11,7 @@
 :- use_module(library(occurs), [sub_term/2]).
 :- use_module(directives).
 :- use_module(goals).
+:- use_module(harmless).
 :- use_module(library(prolog_wrap), [wrap_predicate/4]).
 
 /** <module> Files that are not trusted
