@@ -17,7 +17,7 @@ from nppg.answers.table import Table, TestTable
 from nppg.answers.words import WORD, measure, unpacked
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, Refiner
-from nppg.bridge.prolog import ask
+from nppg.bridge.prolog import ask, exclusively
 from nppg.bridge.terms import encoded, plain
 from nppg.errors import NppgError
 from nppg.logic.query import Literal, Query
@@ -29,6 +29,7 @@ Answered = tuple[np.ndarray, np.ndarray]  # examples in ascending order, and the
 Known = Mapping[Query, Answered]
 
 
+@exclusively("_ask")
 class Coverage:
     """The answers of tests on a fixed list of examples.
 

@@ -10,6 +10,7 @@ from importlib import import_module
 from importlib.metadata import version
 
 from nppg.cli.arguments import Parser, warnings_told
+from nppg.cli.isolating import bound, is_isolated, isolated
 from nppg.errors import NppgError, suggestion
 
 VERBS = {
@@ -27,6 +28,7 @@ VERBS = {
     "distill": "write few rules that choose like a policy of many trees",
     "prove": "show from which start states a policy can fail, and write a certificate",
     "tilde": "learn a tree from examples: fit, predict, show",
+    "sign": "write anew the checksums of files that were edited on purpose",
     "reproduce": "do an experiment of the paper: its runs, its figure, a report",
 }
 _ABOUT = "Learn to act in structured worlds by non-parametric policy gradients, and read what was learned as rules."
@@ -48,6 +50,10 @@ def _run(arguments: Sequence[str]) -> int:
         raise NppgError(f"{name} is no option of nppg: see nppg --help")
     if name not in VERBS:
         raise NppgError(f"there is no command {name}{suggestion(name, VERBS)}: see nppg --help")
+    if is_isolated():
+        bound()
+    elif "--isolate" in rest:
+        return isolated(arguments)
     verb = import_module(f"nppg.cli.{name}")
     parser = Parser(prog=f"nppg {name}", description=f"{VERBS[name].capitalize()}.", allow_abbrev=False)
     verb.add_arguments(parser)
