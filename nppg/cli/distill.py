@@ -20,7 +20,7 @@ from nppg.judging.evaluation import evaluate, evaluate_exactly, merit
 from nppg.learning.options import at_least
 from nppg.policy.policy import Policy
 from nppg.rules.distill import MAX_RULES, SECONDS, distilled
-from nppg.rules.explain import explained, sentences
+from nppg.policy.sentences import explained, sentences
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -8,7 +8,7 @@ from nppg.cli import loading
 from nppg.cli.arguments import add_explain, add_model
 from nppg.errors import NppgError
 from nppg.rules.dot import dot
-from nppg.rules.explain import explained
+from nppg.policy.sentences import explained
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -22,6 +22,7 @@ VERBS = {
     "evaluate": "measure a policy's success",
     "plan": "print the plan that a policy finds for a problem",
     "show": "print a policy's trees",
+    "explain": "tell for each action of a state its probability, and the rules that made it",
     "play": "draw one episode step by step",
     "distill": "write few rules that choose like a policy of many trees",
     "prove": "show from which start states a policy can fail, and write a certificate",

@@ -10,11 +10,22 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
-from nppg.logic.query import Query
+from nppg.bias.text import literal_text
+from nppg.logic.query import Literal, Query
+from nppg.trees.drawing import Drawn, svg, wrapped
+
+
+class _Seen:
+    """What notebooks show."""
+
+    __slots__ = ()
+
+    def _repr_svg_(self) -> str:
+        return svg(drawn(self))  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True, slots=True)
-class Leaf:
+class Leaf(_Seen):
     """A predicted value, and how many examples it is the mean of (0 where that is not known)."""
 
     value: float
@@ -22,7 +33,7 @@ class Leaf:
 
 
 @dataclass(frozen=True, slots=True)
-class Node:
+class Node(_Seen):
     """A test: `literals` extend the node's query; the extended query holds exactly if all `tests` do."""
 
     literals: Query
@@ -67,6 +78,15 @@ def leaves(tree: Tree) -> int:
 def tests(tree: Tree) -> list[Query]:
     """The tests of all nodes."""
     return [] if isinstance(tree, Leaf) else [*tree.tests, *tests(tree.yes), *tests(tree.no)]
+
+
+def drawn(tree: Tree, text: Callable[[Literal], str] = literal_text) -> Drawn:
+    """What is drawn of the tree, its literals as `text` has them."""
+    if isinstance(tree, Leaf):
+        count = (f"{tree.examples:,} examples",) if tree.examples else ()
+        return Drawn((f"{tree.value:.4g}", *count), tree.value)
+    lines = wrapped([text(literal) for literal in tree.literals])
+    return Drawn(lines, yes=drawn(tree.yes, text), no=drawn(tree.no, text))
 
 
 def from_rules(ordered: Sequence[Rule], tests_of: TestsOf, query: Query = ()) -> Tree:
