@@ -26,6 +26,16 @@ def literal_of(name: str, args: Sequence[object], bias: LanguageBias | None = No
     return atom(written(name), args)
 
 
+def heading(bias: LanguageBias) -> str:
+    """What the variables of tests are the arguments of: move(A, B), goal_on(C, D)."""
+    templates = [*bias.actions, *([bias.goal] if bias.goal else [])]
+    literals = [
+        Literal(template.name, tuple(Var(offset + i) for i in range(len(template.types))))
+        for template, offset in zip(templates, bias.offsets, strict=False)
+    ]
+    return ", ".join(literal_text(literal, bias) for literal in literals)
+
+
 def letter(index: int) -> str:
     """The name of the variable of this number."""
     return chr(ord("A") + index % 26) + (str(index // 26) if index >= 26 else "")

@@ -38,7 +38,7 @@ def rules_html(policy: Policy, tree: int, bias: LanguageBias) -> str:
 def tree_html(policy: Policy, tree: int) -> str:
     """The picture of a tree (from 1), in a frame that it may be moved in."""
     name = f"tree {tree}"
-    drawn = picture(policy.trees[tree - 1], policy.bias, name, style=False)
+    drawn = picture(policy.trees[tree - 1], policy.bias, style=False)
     return f'<div class="wide" tabindex="0" role="region" aria-label="{name}" data-tree="{tree - 1}">{drawn}</div>'
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from html import escape
 
 from nppg.bias.language_bias import LanguageBias
-from nppg.bias.text import literal_text
+from nppg.bias.text import heading, literal_text
 from nppg.policy.policy import Policy
 from nppg.policy.sentences import sentences
 from nppg.trees.drawing import svg
@@ -21,9 +21,9 @@ figure {{ margin: 1rem 0; overflow-x: auto; }} pre {{ white-space: pre-wrap; }}
 </style></head><body><h1>{title}</h1>{body}</body></html>"""
 
 
-def picture(tree: Tree, bias: LanguageBias, name: str = "", style: bool = True) -> str:
+def picture(tree: Tree, bias: LanguageBias, style: bool = True) -> str:
     """A tree as SVG, its tests in the names of the bias."""
-    return svg(drawn(tree, lambda literal: literal_text(literal, bias)), name, style)
+    return svg(drawn(tree, lambda literal: literal_text(literal, bias)), heading(bias), style)
 
 
 def page(policy: Policy, numbers: Sequence[int], title: str, bias: LanguageBias | None = None) -> str:
@@ -34,6 +34,6 @@ def page(policy: Policy, numbers: Sequence[int], title: str, bias: LanguageBias 
         rules = policy.rules(number)
         lines = [line for pair in zip(said, rules, strict=True) for line in pair] if said else rules
         head = f"<h2>Tree {number}</h2><p>{escape(policy.comments[number - 1])}</p>"
-        drawing = f"<figure>{picture(policy.trees[number - 1], policy.bias, f'tree {number}')}</figure>"
+        drawing = f"<figure>{picture(policy.trees[number - 1], policy.bias)}</figure>"
         parts.append(f"{head}{drawing}<pre>{escape(chr(10).join(lines))}</pre>")
     return _PAGE.format(title=escape(title), body="".join(parts))

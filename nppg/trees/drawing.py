@@ -14,9 +14,11 @@ from typing import NamedTuple
 STYLE = """
 .tree { font: 12px ui-monospace, "SF Mono", Menlo, Consolas, "DejaVu Sans Mono", monospace; }
 .tree .edge { fill: none; stroke: var(--line, #b9bfca); stroke-width: 1.5; }
-.tree .answer { fill: var(--quiet, #6b7280); font: 11px system-ui, sans-serif; text-anchor: middle; }
+.tree .answer { fill: var(--quiet, #6b7280); font: 11px system-ui, sans-serif; text-anchor: middle;
+  paint-order: stroke; stroke: var(--ground, #fff); stroke-width: 5px; stroke-linejoin: round; }
 .tree .test rect { fill: var(--panel, #fff); stroke: var(--line, #b9bfca); stroke-width: 1.25; }
 .tree text { fill: var(--ink, #1f2430); text-anchor: middle; dominant-baseline: central; }
+.tree .caption { fill: var(--quiet, #6b7280); text-anchor: start; }
 .tree .leaf rect { stroke-width: 1.25; fill-opacity: calc(.1 + .45 * var(--strength)); }
 .tree .up rect { fill: var(--up, #0f8a74); stroke: var(--up, #0f8a74); }
 .tree .down rect { fill: var(--down, #c2416c); stroke: var(--down, #c2416c); }
@@ -24,7 +26,7 @@ STYLE = """
 .tree .count { fill: var(--quiet, #6b7280); font-size: 10.5px; }
 """
 _DARK = "@media (prefers-color-scheme: dark) { .tree { --ink: #e7e9ee; --quiet: #a2a9b8; --line: #4b5365; "
-_DARK += "--panel: #1d212b; --up: #35c3a5; --down: #f0789c; } }"
+_DARK += "--panel: #1d212b; --ground: #12151c; --up: #35c3a5; --down: #f0789c; } }"
 
 _CHARACTER = 7.3  # the width of one, in the style's font
 _LINE = 17.0
@@ -54,18 +56,20 @@ class _Place(NamedTuple):
     height: float
 
 
-def svg(root: Drawn, name: str = "", style: bool = True) -> str:
-    """The tree whose root this is. Leaves are of the class leaf, with their number, from 0, as data-leaf; `name` is
-    said to who does not see it."""
+def svg(root: Drawn, caption: str = "", style: bool = True) -> str:
+    """The tree whose root this is. Leaves are of the class leaf, with their number, from 0, as data-leaf; the
+    caption stands above it."""
     places: list[_Place] = []
     edges: list[tuple[_Place, _Place, str]] = []
     numbers = count()
-    width, _ = _put(root, 0.0, 1.0, numbers, places, edges)
+    width, _ = _put(root, 0.0, 28.0 if caption else 1.0, numbers, places, edges)
+    width = max(width, len(caption) * _CHARACTER)
     height = max(place.y + place.height for place in places) + 1.0
     highest = max((abs(place.node.value) for place in places if place.number >= 0), default=0.0) or 1.0
     head = f'<svg class="tree" xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width + 2:.0f} {height:.0f}" '
-    head += f'width="{width + 2:.0f}" height="{height:.0f}" role="img" aria-label="{escape(name or "a tree", True)}">'
+    head += f'width="{width + 2:.0f}" height="{height:.0f}" role="img" aria-label="a tree">'
     parts = [head, f"<style>{STYLE}{_DARK}</style>" if style else ""]
+    parts += [f'<text class="caption" x="1" y="10">{escape(caption)}</text>'] if caption else []
     parts += [_edge(*edge) for edge in edges]
     parts += [_box(place, highest) for place in places]
     return "".join(parts) + "</svg>"
