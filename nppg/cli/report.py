@@ -6,8 +6,9 @@ import argparse
 from pathlib import Path
 
 from nppg.bridge.files import replacing
-from nppg.cli.arguments import add_parameters, add_trust, parameters
-from nppg.reports.build import report
+from nppg.cli.arguments import add_parameters, add_problems, add_trust, parameters
+from nppg.learning.options import at_least
+from nppg.reports.build import EPISODES, Wishes, report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -16,13 +17,22 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--output", type=Path, default=Path("report.html"), metavar="FILE", help="the page (default: report.html)"
     )
+    parser.add_argument(
+        "--episodes", type=int, default=EPISODES, metavar="N", help=f"that it shows of each policy (default: {EPISODES})"
+    )
+    parser.add_argument("--seed", type=int, default=0, help="of these episodes (default: 0)")
+    parser.add_argument("--prove", action="store_true", help="prove the policies, where no certificate lies beside them")
     add_parameters(parser)
+    add_problems(parser)
     add_trust(parser)
 
 
 def run(options: argparse.Namespace) -> int:
     """Writes the page. Raises NppgError."""
-    text = report(options.runs, parameters(options.set))
+    at_least("episodes", options.episodes, 0)
+    at_least("seed", options.seed, 0)
+    wishes = Wishes(options.episodes, options.seed, parameters(options.set), options.problems, options.prove)
+    text = report(options.runs, wishes)
     replacing(options.output, lambda path: path.write_text(text, encoding="utf-8"))
     print(f"written to {options.output}: {len(text.encode()):,} bytes")
     return 0

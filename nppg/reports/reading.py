@@ -35,11 +35,10 @@ def rules_html(policy: Policy, tree: int, bias: LanguageBias) -> str:
     return f'<ol class="rules">{"".join(items)}</ol>'
 
 
-def tree_html(policy: Policy, tree: int) -> str:
-    """The picture of a tree (from 1), in a frame that it may be moved in."""
-    name = f"tree {tree}"
+def tree_html(policy: Policy, tree: int, number: int) -> str:
+    """The picture of a tree (from 1), the one of that number on the page, in a frame that it may be moved in."""
     drawn = picture(policy.trees[tree - 1], policy.bias, style=False)
-    return f'<div class="wide" tabindex="0" role="region" aria-label="{name}" data-tree="{tree - 1}">{drawn}</div>'
+    return f'<div class="wide" tabindex="0" role="region" aria-label="tree {tree}" data-tree="{number}">{drawn}</div>'
 
 
 def highlighted(rule: str) -> str:
