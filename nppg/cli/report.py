@@ -13,7 +13,7 @@ from nppg.reports.build import EPISODES, Wishes, report
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The runs, and the page."""
-    parser.add_argument("runs", type=Path, nargs="+", metavar="RUN", help="the folder of a run, or of several")
+    parser.add_argument("runs", type=Path, nargs="+", metavar="RUN", help="the folder of a run, or of several, or a model file")
     parser.add_argument(
         "--output", type=Path, default=Path("report.html"), metavar="FILE", help="the page (default: report.html)"
     )

@@ -23,7 +23,7 @@ _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", 
 
 def explained(policy: Writable, tree: int, bias: LanguageBias) -> list[str]:
     """The clauses of a tree (from 1), each below its sentence as a comment."""
-    pairs = zip(sentences(policy, tree, bias), policy.rules(tree), strict=True)
+    pairs = zip(sentences(policy, tree, bias), ask("rules", policy.name, tree), strict=True)
     return [line for sentence, rule in pairs for line in (f"% {sentence}", rule)]
 
 

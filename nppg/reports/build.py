@@ -15,6 +15,7 @@ from typing import Any
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.files import locate
 from nppg.errors import NppgError
+from nppg.experiments.progress import title
 from nppg.policy.policy import Policy
 from nppg.policy.sentences import sentences
 from nppg.reports.chart import Line, chart, legend
@@ -61,27 +62,32 @@ def report(folders: Sequence[Path], wishes: Wishes | None = None) -> str:
 def page_of(folders: Sequence[Path], wishes: Wishes) -> Page:
     """The same before it is HTML."""
     runs = runs_in(folders)
-    best = max(runs, key=lambda run: run.merit)
-    readings = _readings(best, wishes)
+    best = max(runs, key=lambda run: run.merit, default=None)
+    readings = [_reading(file.stem, file, wishes) for file in folders if file.is_file()]
+    readings += _readings(best, wishes) if best else []
     player, drawn = Player(), _Trees()
     weights = []
     for reading in readings:
         episodes = played(reading.policy, wishes.episodes, wishes.seed)
         weights.append(player.add(reading.name, reading.policy, reading.bias, episodes))
-    lines = lines_of(list(experiments(runs)), best.measure)
+    lines = lines_of(list(experiments(runs)), best.measure) if best else []
     proofs = _proofs(readings, wishes, player)
     sections = [
         Section("learned", "Rules", "What was learned", _learned(readings, weights, best, runs)),
-        *([Section("curves", "Curves", "How it was learned", _curves(lines, best.measure))] if lines else []),
+        *([Section("curves", "Curves", "How it was learned", _curves(lines, best.measure))] if best and lines else []),
         *([Section("episodes", "Episodes", "What it does, and why", _PLAYER)] if wishes.episodes else []),
         Section("trees", "Trees", "The trees", drawn.html(readings, weights)),
         *([Section("proof", "Proof", "What is proven", proofs)] if proofs else []),
         Section("made", "Files", "How it was made", _made(folders, best, runs, readings)),
     ]
-    lead = f"Learned by {best.learner}, in {len(runs)} runs." if len(runs) > 1 else f"Learned by {best.learner}."
+    lead = ", ".join(each.name for each in readings).capitalize()
+    if best:
+        lead = f"Learned by {best.learner}{f', in {len(runs)} runs' if len(runs) > 1 else ''}."
+    name = best.title if best else title(readings[0].policy.domain)
+    tiles = tiles_of(best, runs) if best else [(f"{size:,}", what) for what, size in readings[0].policy.sizes().items()]
     data = {**player.data(), "trees": drawn.data}
     foot = f"Written by nppg {version('nppg')}. This page needs no network and tells nobody that it is read."
-    return Page(best.title, lead, tiles_of(best, runs), sections, foot, data)
+    return Page(name, lead, tiles, sections, foot, data)
 
 
 def _readings(run: Run, wishes: Wishes) -> list[Reading]:
@@ -89,12 +95,16 @@ def _readings(run: Run, wishes: Wishes) -> list[Reading]:
     found = []
     for name, file in (("the rules", run.folder / "rules.pl"), ("the learned policy", run.folder / "model.pl")):
         if file.is_file() or name != "the rules":
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")
-                policy = Policy.load(file, dict(wishes.parameters))
-                policy.domain = with_problems(policy.domain, *sorted_out(list(wishes.problems)))
-            found.append(Reading(name, file, policy, _words(policy)))
+            found.append(_reading(name, file, wishes))
     return found
+
+
+def _reading(name: str, file: Path, wishes: Wishes) -> Reading:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        policy = Policy.load(file, dict(wishes.parameters))
+    policy.domain = with_problems(policy.domain, *sorted_out(list(wishes.problems)))
+    return Reading(name, file, policy, _words(policy))
 
 
 def _words(policy: Policy) -> LanguageBias:
@@ -107,11 +117,11 @@ def _words(policy: Policy) -> LanguageBias:
     return policy.bias
 
 
-def _learned(readings: Sequence[Reading], weights: Sequence[list[int]], best: Run, runs: Sequence[Run]) -> str:
+def _learned(readings: Sequence[Reading], weights: Sequence[list[int]], best: Run | None, runs: Sequence[Run]) -> str:
     first = readings[0]
     count = len(first.policy.trees)
     parts = []
-    if len(runs) > 1:
+    if best and len(runs) > 1:
         parts.append(note(f"Of {len(runs)} runs this page reads the best one, by its greedy policy: {best.folder}."))
     if count == 1:
         parts.append(note("The first rule that holds of an action gives its value. The highest value is chosen."))
@@ -196,9 +206,9 @@ def _proofs(readings: Sequence[Reading], wishes: Wishes, player: Player) -> str:
     return "".join(parts)
 
 
-def _made(folders: Sequence[Path], best: Run, runs: Sequence[Run], readings: Sequence[Reading]) -> str:
+def _made(folders: Sequence[Path], best: Run | None, runs: Sequence[Run], readings: Sequence[Reading]) -> str:
     files = [reading.file for reading in readings]
-    files += [best.folder / str(each.get("file")) for each in (best.domain, best.summary.get("bias") or {})]
+    files += [reading.policy.domain.path for reading in readings] + [Path(reading.bias.file) for reading in readings]
     more = [["nppg", "show", str(readings[0].file), "--explain"], ["nppg", "report", *map(str, folders)]]
-    return made_html(best, runs, files, list(map(shlex.join, more)))
+    return made_html(best, runs, list(dict.fromkeys(files)), list(map(shlex.join, more)))
 

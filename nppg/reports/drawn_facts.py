@@ -94,6 +94,9 @@ class FactsDrawing:
         self, forest: Forest, held: dict[str, list[str]], name: str, x: float, y: float, found: list[Shape]
     ) -> None:
         width, height = _own_size(forest, held, name)
+        on_top = [each for each in held.get(name, ()) if each in forest.stacked]
+        if len(on_top) > 1:
+            width = _whole_size(forest, held, name)[0]
         tone = self._places.kinds[name] % 6 + 1 if name in self._places.kinds else "place"
         left, top = x - width / 2, y + height
         inside = [each for each in held.get(name, ()) if each not in forest.stacked]
@@ -110,7 +113,6 @@ class FactsDrawing:
             for each, size in zip(row, sizes, strict=True):
                 self._draw(forest, held, each, at + size[0] / 2, top, found)
                 at += size[0] + _GAP
-        on_top = [each for each in held.get(name, ()) if each in forest.stacked]
         sizes = [_whole_size(forest, held, each) for each in on_top]
         at = x - (sum(size[0] for size in sizes) + _GAP * (len(on_top) - 1)) / 2
         for each, size in zip(on_top, sizes, strict=True):

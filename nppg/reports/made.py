@@ -16,12 +16,16 @@ from nppg.reports.runs import Run
 _VERSIONS = ("nppg", "prolog", "python", "numpy")
 
 
-def made_html(run: Run, runs: Sequence[Run], files: Sequence[Path], more: Sequence[str]) -> str:
-    """All of it for one run, the hashes of these files, and the commands: this run's, and what `more` there are."""
+def made_html(run: Run | None, runs: Sequence[Run], files: Sequence[Path], more: Sequence[str]) -> str:
+    """All of it for one run, if there is one, the hashes of these files, and the commands: this run's, and what `more`
+    there are."""
+    hashes = [(file.name, file_hash(file)) for file in files if file.is_file()]
+    parts = ["<h3>SHA-256 of the files</h3>", table(hashes, "hash"), "<h3>Commands</h3>"]
+    if run is None:
+        return "".join([*parts, *map(command, more)])
     options, usual = changed(run)
     versions = [(name, run.summary[name]) for name in _VERSIONS if name in run.summary]
-    hashes = [(file.name, file_hash(file)) for file in files if file.is_file()]
-    parts = [
+    made = [
         '<div class="two"><div><h3>Options that were set</h3>',
         table(options) if options else "<p>None: all are as they are by default.</p>",
         "</div><div><h3>Versions</h3>",
@@ -30,20 +34,16 @@ def made_html(run: Run, runs: Sequence[Run], files: Sequence[Path], more: Sequen
         '<details class="card"><summary>All other options <small>as they are by default</small></summary><div>',
         table(usual),
         "</div></details>",
-        "<h3>SHA-256 of the files</h3>",
-        table(hashes, "hash"),
-        "<h3>Commands</h3>",
-        command(train_command(run, runs)),
-        *map(command, more),
     ]
-    return "".join(parts)
+    return "".join([*made, *parts, command(train_command(run, runs)), *map(command, more)])
 
 
 def changed(run: Run) -> tuple[list[tuple[str, Any]], list[tuple[str, Any]]]:
     """The options of a run that are not as they are by default, with the seed, and those that are."""
     learner = LEARNERS.get(run.learner)
     usual = asdict(learner()) if learner else {}
-    set_, left = [], []
+    set_: list[tuple[str, Any]] = []
+    left: list[tuple[str, Any]] = []
     for name, value in run.options.items():
         other = name not in usual or value != usual[name] or name in ("seed", "episodes")
         (set_ if other else left).append((name.replace("_", " "), value))

@@ -27,7 +27,7 @@ Proof = Mapping[str, Any]  # as a certificate has it
 
 def certificates(model: Path) -> list[Proof]:
     """Those beside a model that are about it as it is."""
-    found = []
+    found: list[Proof] = []
     for file in sorted(model.parent.glob("*.json")):
         try:
             if file.stat().st_size > _MOST:

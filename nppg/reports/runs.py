@@ -66,10 +66,11 @@ class Run:
 
 
 def runs_in(folders: Sequence[Path]) -> list[Run]:
-    """The runs in these folders: each the folder of a run, or of several. Raises NppgError where there is none."""
+    """The runs in these folders: each the folder of a run, or of several; files are left out. Raises NppgError where there
+    is none in a folder."""
     found: dict[Path, Run] = {}
     for folder in folders:
-        for each in _folders(folder):
+        for each in _folders(folder) if not folder.is_file() else ():
             found.setdefault(each.resolve(), _read(each))
     return list(found.values())
 
@@ -78,7 +79,7 @@ def _folders(folder: Path) -> list[Path]:
     if (folder / "run.json").is_file():
         return [folder]
     if not folder.is_dir():
-        raise _wrong(folder, "there is no such folder: name one that nppg train has written")
+        raise _wrong(folder, "there is no such folder: name one that nppg train has written, or a model file")
     inside = sorted((each.parent for each in folder.glob("*/run.json")), key=_by_number)
     if not inside:
         raise _wrong(folder, "is no folder of a run: neither it nor a folder in it has a run.json")

@@ -142,8 +142,8 @@
       timer = setInterval(() => { if (at >= episode.steps.length) stop(); else go(at + 1); }, quick);
     });
     const controls = make("div", { class: "controls" },
-      button("⏮", "first step (Home)", () => go(0)), button("◀", "step back (←)", () => go(at - 1)), play,
-      button("▶|", "step on (→)", () => go(at + 1)), button("⏭", "last state (End)", () => go(episode.steps.length)), where);
+      button("«", "first step (Home)", () => go(0)), button("‹", "step back (←)", () => go(at - 1)), play,
+      button("›", "step on (→)", () => go(at + 1)), button("»", "last state (End)", () => go(episode.steps.length)), where);
     place.append(make("div", { class: "choice" }, choice), make("div", { class: "scene" }, stage, side),
       make("div", { class: "time" }, strip, slider), controls);
 
