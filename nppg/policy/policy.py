@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Mapping, Sequence
+from html import escape
 from importlib.metadata import entry_points
 from itertools import pairwise
 from pathlib import Path
@@ -24,7 +25,7 @@ from nppg.policy.forest import Forest
 from nppg.policy.gibbs import TIE, best, gibbs
 from nppg.policy.reasons import Reasons
 from nppg.trees.clauses import to_clause
-from nppg.trees.tree import Tree, leaves, mapped, rules, tests
+from nppg.trees.tree import Tree, leaves, mapped, rules, seen, tests
 from nppg.worlds.domain import Domain
 from nppg.worlds.world import Action, State
 
@@ -184,6 +185,19 @@ class Policy:
         scores, reasons = self.scores(seen, actions), self.reasons(words)
         changes = reasons.changes(scores.answers, self.potentials_of) if reasons else []
         return explanation(self, reasons, words, seen, actions, scores, changes)
+
+    def _repr_html_(self) -> str:
+        """For notebooks: what it is, and its first tree with its rules."""
+        sizes = ", ".join(f"{size:,} {what}" for what, size in self.sizes().items())
+        head = f"<p><b>{escape(type(self).__name__)}</b> in {escape(self.domain.name)}: {sizes}</p>"
+        if not self.trees:
+            return head
+        rules = escape("\n".join(self.rules(1)))
+        return f'{head}<div style="overflow-x:auto">{self._repr_svg_()}</div><pre>{rules}</pre>'
+
+    def _repr_svg_(self) -> str | None:
+        """For notebooks: its first tree."""
+        return seen(self.trees[0], self.bias) if self.trees else None
 
     def named(self) -> set[Ground]:
         """The constants that its tests name."""

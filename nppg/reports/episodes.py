@@ -196,7 +196,7 @@ class Drawing:
     def __init__(self, domain: Domain, episodes: Sequence[Episode]):
         self._domain = domain
         self._of: dict[int, FactsDrawing] = {}
-        self._wanted = domain.wanted if isinstance(domain, PddlDomain) else []
+        self._wanted = [domain.names.goal[each] for each in domain.wanted] if isinstance(domain, PddlDomain) else []
         self._owns: bool | None = None
         self._episodes = [[step.actual for step in each.steps] + [each.actual] for each in episodes]
         self._known: dict[tuple, Sequence[Shape]] = {}

@@ -37,6 +37,8 @@ class Places:
         pairs: dict[str, int] = {}
         several: set[str] = set()
         self._towers: set[str] = set()
+        self._shared: set[str] = set()  # several things may be in one place
+        self.based: set[str] = set()  # what is in a tower, or may be
         for facts in sets:
             own: dict[str, dict[str, str]] = {}
             for name, *args in facts:
@@ -45,10 +47,13 @@ class Places:
                     places = own.setdefault(name, {})
                     if args[0] in places:
                         several.add(name)
+                    if args[1] in places.values():
+                        self._shared.add(name)
                     places[args[0]] = args[1]
             for name, places in own.items():
                 if any(place in places for place in places.values()):
                     self._towers.add(name)
+                    self.based |= {*places, *places.values()}
         known = [name for name in pairs if name not in several and name not in self._wanted]
         self._order = sorted(known, key=lambda name: ((name, 2) not in self._changing, -pairs[name], name))
         self.moved = {arg for fact in every - always for arg in fact[1:] if isinstance(arg, str)}
@@ -76,8 +81,7 @@ class Places:
             if not objects:
                 found.loose.append(" ".join(map(str, fact)))
                 continue
-            for arg in objects:
-                found.parents.setdefault(arg, None)
+            found.parents.setdefault(objects[0], None)
             told = " ".join([f"{'→ ' if name in self._wanted else ''}{name}", *map(str, args[1:])])
             if len(found.notes.setdefault(objects[0], [])) < _NOTES:
                 found.notes[objects[0]].append(told)
@@ -87,7 +91,7 @@ class Places:
 
     def _put(self, found: Forest, name: str, thing: str, place: str) -> bool:
         """Puts a thing, or where it is somewhere already the place, on or in the other; not in a circle."""
-        for below, above in ((place, thing), (thing, place)):
+        for below, above in ((place, thing), (thing, place))[: 1 if name in self._shared else 2]:
             if found.parents.get(above) is None and above not in _line(found, below):
                 found.parents.setdefault(below, None)
                 found.parents[above] = below

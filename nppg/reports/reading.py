@@ -9,8 +9,7 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bias.text import literal_text
 from nppg.policy.policy import Policy
 from nppg.policy.sentences import sentences
-from nppg.rules.pictures import picture
-from nppg.trees.tree import Leaf, Tree
+from nppg.trees.tree import Leaf, Tree, seen
 
 Path = tuple[tuple[str, bool], ...]  # tests with their answers, from the root
 
@@ -37,7 +36,7 @@ def rules_html(policy: Policy, tree: int, bias: LanguageBias) -> str:
 
 def tree_html(policy: Policy, tree: int, number: int) -> str:
     """The picture of a tree (from 1), the one of that number on the page, in a frame that it may be moved in."""
-    drawn = picture(policy.trees[tree - 1], policy.bias, style=False)
+    drawn = seen(policy.trees[tree - 1], policy.bias, style=False)
     return f'<div class="wide" tabindex="0" role="region" aria-label="tree {tree}" data-tree="{number}">{drawn}</div>'
 
 

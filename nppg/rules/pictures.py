@@ -1,4 +1,4 @@
-"""Trees as pictures: SVG that stands by itself, and the same on a page of HTML."""
+"""The trees of a policy on a page of HTML, as pictures and as rules."""
 
 from __future__ import annotations
 
@@ -6,11 +6,9 @@ from collections.abc import Sequence
 from html import escape
 
 from nppg.bias.language_bias import LanguageBias
-from nppg.bias.text import heading, literal_text
 from nppg.policy.policy import Policy
 from nppg.policy.sentences import sentences
-from nppg.trees.drawing import svg
-from nppg.trees.tree import Tree, drawn
+from nppg.trees.tree import seen
 
 _PAGE = """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
@@ -21,19 +19,14 @@ figure {{ margin: 1rem 0; overflow-x: auto; }} pre {{ white-space: pre-wrap; }}
 </style></head><body><h1>{title}</h1>{body}</body></html>"""
 
 
-def picture(tree: Tree, bias: LanguageBias, style: bool = True) -> str:
-    """A tree as SVG, its tests in the names of the bias."""
-    return svg(drawn(tree, lambda literal: literal_text(literal, bias)), heading(bias), style)
-
-
 def page(policy: Policy, numbers: Sequence[int], title: str, bias: LanguageBias | None = None) -> str:
-    """The trees of these numbers (from 1) as a page, with their rules, and with sentences where a bias gives some."""
+    """The trees of these numbers (from 1) as a page, with their rules, and with sentences where a bias is given."""
     parts = []
     for number in numbers:
         said = [f"% {each}" for each in sentences(policy, number, bias)] if bias else []
         rules = policy.rules(number)
         lines = [line for pair in zip(said, rules, strict=True) for line in pair] if said else rules
         head = f"<h2>Tree {number}</h2><p>{escape(policy.comments[number - 1])}</p>"
-        drawing = f"<figure>{picture(policy.trees[number - 1], policy.bias)}</figure>"
+        drawing = f"<figure>{seen(policy.trees[number - 1], policy.bias)}</figure>"
         parts.append(f"{head}{drawing}<pre>{escape(chr(10).join(lines))}</pre>")
     return _PAGE.format(title=escape(title), body="".join(parts))

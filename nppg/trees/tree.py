@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
-from nppg.bias.text import literal_text
-from nppg.logic.query import Literal, Query
+from nppg.bias.language_bias import LanguageBias
+from nppg.bias.text import heading, literal_text
+from nppg.logic.query import Query
 from nppg.trees.drawing import Drawn, svg, wrapped
 
 
@@ -21,7 +22,7 @@ class _Seen:
     __slots__ = ()
 
     def _repr_svg_(self) -> str:
-        return svg(drawn(self))  # type: ignore[arg-type]
+        return seen(self)  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,13 +81,17 @@ def tests(tree: Tree) -> list[Query]:
     return [] if isinstance(tree, Leaf) else [*tree.tests, *tests(tree.yes), *tests(tree.no)]
 
 
-def drawn(tree: Tree, text: Callable[[Literal], str] = literal_text) -> Drawn:
-    """What is drawn of the tree, its literals as `text` has them."""
+def seen(tree: Tree, bias: LanguageBias | None = None, style: bool = True) -> str:
+    """The tree as SVG; the bias knows what its variables stand for. Without `style` that is the page's."""
+    return svg(_drawn(tree, bias), heading(bias) if bias else "", style)
+
+
+def _drawn(tree: Tree, bias: LanguageBias | None) -> Drawn:
     if isinstance(tree, Leaf):
         count = (f"{tree.examples:,} examples",) if tree.examples else ()
         return Drawn((f"{tree.value:.4g}", *count), tree.value)
-    lines = wrapped([text(literal) for literal in tree.literals])
-    return Drawn(lines, yes=drawn(tree.yes, text), no=drawn(tree.no, text))
+    lines = wrapped([literal_text(literal, bias) for literal in tree.literals])
+    return Drawn(lines, yes=_drawn(tree.yes, bias), no=_drawn(tree.no, bias))
 
 
 def from_rules(ordered: Sequence[Rule], tests_of: TestsOf, query: Query = ()) -> Tree:
