@@ -13,15 +13,17 @@ from nppg.reports.build import EPISODES, Wishes, report
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The runs, and the page."""
-    parser.add_argument("runs", type=Path, nargs="+", metavar="RUN", help="the folder of a run, or of several, or a model file")
+    parser.add_argument(
+        "runs", type=Path, nargs="+", metavar="RUN", help="the folder of a run, or of several, or a model file"
+    )
     parser.add_argument(
         "--output", type=Path, default=Path("report.html"), metavar="FILE", help="the page (default: report.html)"
     )
     parser.add_argument(
-        "--episodes", type=int, default=EPISODES, metavar="N", help=f"that it shows of each policy (default: {EPISODES})"
+        "--episodes", type=int, default=EPISODES, metavar="N", help=f"to show of each policy (default: {EPISODES})"
     )
     parser.add_argument("--seed", type=int, default=0, help="of these episodes (default: 0)")
-    parser.add_argument("--prove", action="store_true", help="prove the policies, where no certificate lies beside them")
+    parser.add_argument("--prove", action="store_true", help="prove policies that no certificate lies beside")
     add_parameters(parser)
     add_problems(parser)
     add_trust(parser)

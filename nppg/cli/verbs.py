@@ -26,6 +26,7 @@ VERBS = {
     "play": "draw one episode step by step",
     "distill": "write few rules that choose like a policy of many trees",
     "prove": "show from which start states a policy can fail, and write a certificate",
+    "curves": "draw the learning curves of several runs in one picture",
     "report": "write one page of HTML about runs: rules, curves, trees, episodes",
     "reproduce": "do an experiment of the paper: its runs, its figure, a report",
 }

@@ -55,7 +55,7 @@ def instance(test: Query, names: Mapping[Var, object], own: LanguageBias, bias: 
 
     said = []
     for literal in test:
-        args = [named(theta.get(arg, arg) if isinstance(arg, Var) and arg not in names else arg) for arg in literal.args]
+        args = [named(theta.get(arg, arg) if isinstance(arg, Var) else arg) for arg in literal.args]
         sentence = bias.sentences.get(literal.name)
         if sentence is None or len(bias.types.get(literal.name, ())) != len(args):
             said.append(literal_of(literal.name, args, own))

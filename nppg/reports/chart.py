@@ -24,6 +24,7 @@ _DARK += "--c1: #ff9d5c; --c2: #35c3a5; --c3: #f089c8; --c4: #d8c545; --c5: #a9a
 COLOURS = 6
 
 _WIDTH, _HEIGHT = 760.0, 320.0
+_KEY = 18.0
 _LEFT, _RIGHT, _TOP, _BOTTOM = 62.0, 14.0, 12.0, 46.0
 
 
@@ -39,8 +40,8 @@ class Line(NamedTuple):
     runs: int
 
 
-def chart(lines: Sequence[Line], measure: str, style: bool = True) -> str:
-    """The lines in one frame. All text is escaped."""
+def chart(lines: Sequence[Line], measure: str, style: bool = True, keys: bool = False) -> str:
+    """The lines in one frame, with `keys` what they stand for below it. All text is escaped."""
     last = max((line.episodes[-1] for line in lines if line.episodes), default=0.0) or 1.0
     values = [
         value + sign * spread
@@ -57,7 +58,8 @@ def chart(lines: Sequence[Line], measure: str, style: bool = True) -> str:
         share = (min(max(value, low), high) - low) / (high - low)
         return _HEIGHT - _BOTTOM - (_HEIGHT - _TOP - _BOTTOM) * share
 
-    head = f'<svg class="chart" xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH:.0f} {_HEIGHT:.0f}" '
+    whole = _HEIGHT + (len(lines) * _KEY + 8 if keys else 0.0)
+    head = f'<svg class="chart" xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH:.0f} {whole:.0f}" '
     parts = [f'{head}role="img" aria-label="learning curves: {escape(measure, True)} over episodes">']
     parts += [f"<style>{STYLE}{_DARK}</style>"] if style else []
     for tick in ticks(low, high):
@@ -69,25 +71,32 @@ def chart(lines: Sequence[Line], measure: str, style: bool = True) -> str:
         parts.append(f'<text x="{at:.1f}" y="{_HEIGHT - 26:.0f}" text-anchor="{anchor}">{tick:,.0f}</text>')
     parts.append(f'<text x="{(_LEFT + _WIDTH) / 2:.0f}" y="{_HEIGHT - 6:.0f}" text-anchor="middle">episodes</text>')
     middle = (_HEIGHT - _BOTTOM) / 2
-    parts.append(f'<text transform="translate(14 {middle:.0f}) rotate(-90)" text-anchor="middle">{escape(measure)}</text>')
+    turned = f'<text transform="translate(14 {middle:.0f}) rotate(-90)" text-anchor="middle">'
+    parts.append(f"{turned}{escape(measure)}</text>")
     for line in lines:
         points = list(zip(map(x, line.episodes), line.means, line.spreads, strict=True))
-        kind = f"s{line.colour % COLOURS}"
         if any(line.spreads) and not line.greedy:
             upper = [f"{across:.1f} {y(mean + spread):.1f}" for across, mean, spread in points]
             lower = [f"{across:.1f} {y(mean - spread):.1f}" for across, mean, spread in reversed(points)]
-            parts.append(f'<path class="spread {kind}" d="M{"L".join(upper + lower)}Z"/>')
+            parts.append(f'<path class="spread s{line.colour % COLOURS}" d="M{"L".join(upper + lower)}Z"/>')
         path = "L".join(f"{across:.1f} {y(mean):.1f}" for across, mean, _ in points)
-        greedy = " greedy" if line.greedy else ""
-        parts.append(f'<path class="line {kind}{greedy}" d="M{path}"><title>{escape(line.label)}</title></path>')
+        parts.append(f'<path class="{_kind(line)}" d="M{path}"><title>{escape(line.label)}</title></path>')
+    for i, line in enumerate(lines) if keys else ():
+        at = _HEIGHT + 8 + i * _KEY
+        parts.append(f'<path class="{_kind(line)}" d="M{_LEFT:.0f} {at:.0f}h26"/>')
+        parts.append(f'<text x="{_LEFT + 36:.0f}" y="{at + 4:.0f}">{escape(line.label)}</text>')
     return "".join(parts) + "</svg>"
+
+
+def _kind(line: Line) -> str:
+    return f"line s{line.colour % COLOURS}{' greedy' if line.greedy else ''}"
 
 
 def legend(lines: Sequence[Line]) -> str:
     """What the colours stand for, as a list in HTML."""
     return "".join(
-        f'<li><svg class="chart" width="26" height="10" aria-hidden="true"><path class="line s{line.colour % COLOURS}'
-        f'{" greedy" if line.greedy else ""}" d="M2 5H24"/></svg>{escape(line.label)}</li>'
+        f'<li><svg class="chart" width="26" height="10" aria-hidden="true"><path class="{_kind(line)}" d="M2 5H24"/>'
+        f"</svg>{escape(line.label)}</li>"
         for line in lines
     )
 

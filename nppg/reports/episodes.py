@@ -153,7 +153,8 @@ class _Told:
     def _row(self, reasons: Reasons, row: np.ndarray) -> tuple:
         """The weightiest rules with what they give, and what the others do together."""
         given = sorted(reasons.summed(row).items(), key=lambda each: -abs(each[1][0]))
-        kept = [(self.player.rules(reasons.rules[rule]), round(value, 6), trees) for rule, (value, trees) in given[:_RULES]]
+        number = self.player.rules
+        kept = [(number(reasons.rules[rule]), round(value, 6), trees) for rule, (value, trees) in given[:_RULES]]
         rest = [value for _, (value, _) in given[_RULES:]]
         return (tuple(kept), len(rest), round(sum(rest), 6))
 

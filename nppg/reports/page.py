@@ -42,7 +42,8 @@ class Page(NamedTuple):
         links = "".join(f'<li><a href="#{each.name}">{escape(each.link)}</a></li>' for each in self.sections)
         tiles = "".join(f"<div><dt>{escape(what)}</dt><dd>{escape(value)}</dd></div>" for value, what in self.tiles)
         sections = "".join(
-            f'<section id="{each.name}"><h2>{escape(each.title)}</h2>\n{each.html}</section>\n' for each in self.sections
+            f'<section id="{each.name}"><h2>{escape(each.title)}</h2>\n{each.html}</section>\n'
+            for each in self.sections
         )
         return Template(_file("report.html")).substitute(
             title=escape(self.title),

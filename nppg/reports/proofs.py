@@ -98,7 +98,8 @@ def _problems(proof: Proof) -> str:
             f"<tr><td>{escape(str(each['name']))}</td><td>{escape(told)}{more}</td><td>{int(each['states']):,}</td></tr>"
         )
     return (
-        f'<p>The {kind} policy <span class="verdict{fails}">succeeds for certain on {proven} of {len(problems)} problems'
+        f'<p>The {kind} policy <span class="verdict{fails}">'
+        f"succeeds for certain on {proven} of {len(problems)} problems"
         '</span></p><div class="table"><table><thead><tr><th>problem</th><th>verdict</th><th>states</th></tr></thead>'
         f"<tbody>{''.join(rows)}</tbody></table></div>"
     )

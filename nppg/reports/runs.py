@@ -66,8 +66,8 @@ class Run:
 
 
 def runs_in(folders: Sequence[Path]) -> list[Run]:
-    """The runs in these folders: each the folder of a run, or of several; files are left out. Raises NppgError where there
-    is none in a folder."""
+    """The runs in these folders: each the folder of a run, or of several; files are left out. Raises NppgError where
+    there is none in a folder."""
     found: dict[Path, Run] = {}
     for folder in folders:
         for each in _folders(folder) if not folder.is_file() else ():
