@@ -21,7 +21,7 @@ from nppg.reports.drawn_facts import FactsDrawing
 from nppg.worlds.domain import Domain
 from nppg.worlds.pddl_domain import PddlDomain
 from nppg.worlds.shapes import Shape, shapes
-from nppg.worlds.world import State
+from nppg.worlds.world import Action, State
 
 _ACTIONS = 14  # of a state that are told
 _RULES = 10  # of an action
@@ -113,8 +113,14 @@ class _Told:
         self.pairs = 0
         self._draw = Drawing(policy.domain, [each.episode for each in played])
         self._known: dict[bytes, list[Change]] = {}
+        self._written: dict[Action, str] = {}
         self._leaves: list[dict[int, dict[str, Any]]] = [{} for _ in policy.trees]
         self.weights = np.zeros(len(policy.trees))  # how far apart each tree has put the actions of a state, in all
+
+    def _text(self, action: Action) -> str:
+        if action not in self._written:
+            self._written[action] = texts([action])[0]
+        return self._written[action]
 
     def state(self, state: State) -> int:
         """The number of the drawn state."""
@@ -134,7 +140,7 @@ class _Told:
         order = np.argsort(-potentials, kind="stable")[:_ACTIONS].tolist()
         if step.chosen not in order:
             order = [*order[:-1], step.chosen]
-        words = texts([actions[i] for i in order])
+        words = [self._text(actions[i]) for i in order]
         told: dict[str, Any] = {
             "s": state,
             "a": [player.texts(text) for text in words],
@@ -166,7 +172,7 @@ class _Told:
         if not changes:
             return []
         told = InWords(self.policy, self.bias, step.state)
-        named = texts([actions[each.best] for each in changes])
+        named = [self._text(actions[each.best]) for each in changes]
         return [
             [self.player.texts(name), self.player.texts(told(each.test, actions[each.action])), int(each.holds)]
             for name, each in zip(named, changes, strict=True)
@@ -184,7 +190,7 @@ class _Told:
                 known["n"] += 1
                 known["c"] += i == chosen
                 if len(known["e"]) < _EXAMPLES and all(state != each[0] for each in known["e"]):
-                    known["e"].append((state, self.player.texts(texts([actions[i]])[0]), int(i == chosen)))
+                    known["e"].append((state, self.player.texts(self._text(actions[i])), int(i == chosen)))
 
     def leaves(self) -> list[dict[int, dict[str, Any]]]:
         """For each tree its leaves by number: how many pairs came there, how many were chosen, and examples."""

@@ -49,8 +49,8 @@ def component(ways: Sequence[Way]) -> list[str]:
 
 
 def placed(names: Sequence[str], ways: Sequence[Way], sizes: Mapping[str, Size]) -> dict[str, tuple[float, float]]:
-    """The middles of boxes of these sizes, by classical scaling of the lengths of ways (Torgerson 1952); then they are
-    pushed apart until none lies on another."""
+    """The middles of boxes of these sizes, which all hang together by ways: by classical scaling of the lengths of ways
+    (Torgerson 1952); then they are pushed apart until none lies on another."""
     extents = np.array([sizes[name] for name in names])
     points = _scaled(names, ways) * (0.9 * extents.mean(axis=0) + 0.4)
     for _ in range(_ROUNDS):
