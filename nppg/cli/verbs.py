@@ -10,6 +10,7 @@ from importlib import import_module
 from importlib.metadata import version
 
 from nppg.cli.arguments import Parser, warnings_told
+from nppg.cli.isolating import bound, is_isolated, isolated
 from nppg.errors import NppgError, suggestion
 
 VERBS = {
@@ -26,6 +27,7 @@ VERBS = {
     "play": "draw one episode step by step",
     "distill": "write few rules that choose like a policy of many trees",
     "prove": "show from which start states a policy can fail, and write a certificate",
+    "sign": "write anew the checksums of files that were edited on purpose",
     "curves": "draw the learning curves of several runs in one picture",
     "report": "write one page of HTML about runs: rules, curves, trees, episodes",
     "reproduce": "do an experiment of the paper: its runs, its figure, a report",
@@ -49,6 +51,10 @@ def _run(arguments: Sequence[str]) -> int:
         raise NppgError(f"{name} is no option of nppg: see nppg --help")
     if name not in VERBS:
         raise NppgError(f"there is no command {name}{suggestion(name, VERBS)}: see nppg --help")
+    if is_isolated():
+        bound()
+    elif "--isolate" in rest:
+        return isolated(arguments)
     verb = import_module(f"nppg.cli.{name}")
     parser = Parser(prog=f"nppg {name}", description=f"{VERBS[name].capitalize()}.", allow_abbrev=False)
     verb.add_arguments(parser)
