@@ -8,7 +8,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from nppg.bridge.files import file_hash
+from nppg.bridge.files import sha256
 from nppg.experiments.learners import LEARNERS
 from nppg.reports.page import command, table
 from nppg.reports.runs import Run
@@ -19,7 +19,7 @@ _VERSIONS = ("nppg", "prolog", "python", "numpy")
 def made_html(run: Run | None, runs: Sequence[Run], files: Sequence[Path], more: Sequence[str]) -> str:
     """All of it for one run, if there is one, the hashes of these files, and the commands: this run's, and what `more`
     there are."""
-    hashes = [(file.name, file_hash(file)) for file in files if file.is_file()]
+    hashes = [(file.name, sha256(file.read_bytes())) for file in files if file.is_file()]
     parts = ["<h3>SHA-256 of the files</h3>", table(hashes, "hash"), "<h3>Commands</h3>"]
     if run is None:
         return "".join([*parts, *map(command, more)])

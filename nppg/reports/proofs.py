@@ -9,7 +9,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from nppg.bridge.files import file_hash
+from nppg.bridge.seals import content_hash, is_whole
 from nppg.bridge.terms import ground
 from nppg.errors import NppgError
 from nppg.policy.policy import Policy
@@ -26,16 +26,16 @@ Proof = Mapping[str, Any]  # as a certificate has it
 
 
 def certificates(model: Path) -> list[Proof]:
-    """Those beside a model that are about it as it is."""
+    """Those beside a model that are about it as it is, and are as they were written."""
     found: list[Proof] = []
     for file in sorted(model.parent.glob("*.json")):
         try:
-            if file.stat().st_size > _MOST:
+            if file.stat().st_size > _MOST or not is_whole(file):
                 continue
             data = json.loads(file.read_text(encoding="utf-8"))
         except (OSError, ValueError, RecursionError):
             continue
-        if isinstance(data, dict) and data.get("model_sha256") == file_hash(model):
+        if isinstance(data, dict) and data.get("model_sha256") == content_hash(model):
             found.append(data)
     return found
 

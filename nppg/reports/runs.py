@@ -12,6 +12,7 @@ from typing import Any
 
 from nppg.errors import NppgError, Problem
 from nppg.experiments.progress import MEASURES
+from nppg.experiments.run_files import summary_of
 from nppg.experiments.seeds import averaged
 from nppg.reports.chart import Line
 
@@ -92,17 +93,7 @@ def _by_number(folder: Path) -> tuple[int, str]:
 
 
 def _read(folder: Path) -> Run:
-    file = folder / "run.json"
-    try:
-        source = file.read_bytes()
-        summary = json.loads(source)
-    except OSError as error:
-        raise _wrong(file, f"cannot be read: {error.strerror}") from None
-    except (ValueError, RecursionError):
-        summary = None
-    if not isinstance(summary, dict) or "nppg" not in summary:
-        raise _wrong(file, "is not what nppg train writes")
-    return Run(folder, summary, _points(folder / "curve.csv"))
+    return Run(folder, summary_of(folder), _points(folder / "curve.csv"))
 
 
 def _points(file: Path) -> list[dict[str, str]]:
