@@ -194,3 +194,21 @@ row(Towers, Level, Line) :-
 cell(Tower, Level, Cell) :-
     (   nth0(Level, Tower, Block) -> true ; Block = '' ),
     format(atom(Cell), '~w~t~5|', [Block]).
+
+% The same as shapes: each tower stands where its lowest block has its place, so that a move moves nothing else.
+
+shapes([line(-0.2, 0, Right, 0, faint), text(Middle, -0.7, Goal)|Boxes]) :-
+    parts(Towers),
+    append(Towers, Unsorted),
+    length(Unsorted, Count),
+    sort(Unsorted, Blocks),
+    findall(box(X, Level, 1, 1, Tone, Block),
+            ( member(Tower, Towers), Tower = [Bottom|_], nth0(Place, Blocks, Bottom), X is 1.25 * Place,
+              nth0(Level, Tower, Block), tone(Block, Tone) ),
+            Boxes),
+    Right is 1.25 * Count,
+    Middle is Right / 2,
+    parameter(task, Task),
+    told(Task, Goal).
+
+tone(Block, Tone) :- ( goal_on(Block, _) ; goal_on(_, Block) ) -> Tone = wanted ; Tone = object.

@@ -51,3 +51,11 @@ picture([Line]) :-
 drawn(Cell, Cell, 'R') :- !.
 drawn(I, _, ' ')       :- ( I < 0 ; I > 59 ), !.
 drawn(_, _, '.').
+
+shapes([ line(0, 0, Length, 0, wall), line(0, -0.4, 0, 0.4, wanted), line(Length, -0.4, Length, 0.4, wanted),
+         text(Middle, -1, 'exits at both ends'), disc(X, 0, 0.3, agent, '')|Marks]) :-
+    pos(X),
+    parameter(length, Length),
+    Middle is Length / 2,
+    Last is floor(Length),
+    findall(text(I, -0.45, I), between(0, Last, I), Marks).

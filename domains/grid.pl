@@ -92,3 +92,19 @@ drawn(X, Y, 'R') :- x(X), y(Y), !.
 drawn(X, Y, '#') :- wall(X, Y), !.
 drawn(X, Y, '.') :- free(X, Y), !.
 drawn(_, Y, Sign) :- pit(Y) -> Sign = 'O' ; Sign = 'G'.
+
+shapes(Shapes) :-
+    parameter(width, Width),
+    parameter(height, Height),
+    x(AtX),
+    y(AtY),
+    findall(box(X, Y, 1, 1, Tone, Text),
+            ( between(1, Height, Y), between(1, Width, X), kind(X, Y, Tone, Text) ),
+            Cells),
+    MiddleX is AtX + 0.5,
+    MiddleY is AtY + 0.5,
+    append(Cells, [disc(MiddleX, MiddleY, 0.32, agent, '')], Shapes).
+
+kind(X, Y, wall, '')  :- wall(X, Y), !.
+kind(X, Y, place, '') :- free(X, Y), !.
+kind(_, Y, Tone, Text) :- pit(Y) -> Tone = danger, Text = pit ; Tone = wanted, Text = goal.

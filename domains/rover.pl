@@ -167,3 +167,36 @@ titled(Rock, Name) :-
     weight(Rock, Weight),
     (   wanted(Rock) -> Star = '*' ; Star = '' ),
     format(atom(Name), '~w~w(~1f)', [Rock, Star, Weight]).
+
+% The places along the line, with their rocks above them, the rover with what it carries below it, and the battery.
+
+shapes([line(0, 0, Length, 0, wall), box(0, -2.6, Length, 0.35, faint, ''), box(0, -2.6, Charged, 0.35, agent, '')|Shapes]) :-
+    parameter(length, Length),
+    parameter(capacity, Capacity),
+    battery(Energy),
+    Charged is Length * Energy / Capacity,
+    findall(Shape, ( place(Place, X), place_shape(Place, X, Shape) ), Places),
+    findall(Shape, ( place(Place, X), stacked(in(_, Place), 0.75, 0.7, X, Shape) ), Rocks),
+    findall(Shape, ( at(Here), place(Here, X), rover_shape(X, Shape) ), Rover),
+    append([Places, Rocks, Rover], Shapes).
+
+place_shape(_, X, line(X, -0.12, X, 0.12, wall)).
+place_shape(Place, X, text(X, 0.32, Place)).
+
+rover_shape(X, disc(X, -0.45, 0.28, agent, '')).
+rover_shape(X, Shape) :- stacked(carried(_), -1.05, -0.55, X, Shape).
+
+% stacked(What, First, Step, X, Shape): the rocks that are there, one above the other.
+
+stacked(What, First, Step, X, disc(X, Y, Radius, Tone, Rock)) :-
+    findall(Rock, rock_of(What, Rock), Unsorted),
+    sort(Unsorted, Rocks),
+    nth0(I, Rocks, Rock),
+    Y is First + I * Step,
+    weight(Rock, Weight),
+    parameter(load_limit, Limit),
+    Radius is 0.15 + 0.18 * Weight / Limit,
+    ( wanted(Rock) -> Tone = wanted ; Tone = object ).
+
+rock_of(in(Rock, Place), Rock) :- in(Rock, Place).
+rock_of(carried(Rock), Rock)   :- carried(Rock).

@@ -19,9 +19,12 @@ if TYPE_CHECKING:
     from nppg.learning.episode import generate_episode as generate_episode
     from nppg.learning.options import Options as Options
     from nppg.policy.policy import Policy as Policy
+    from nppg.reports.build import report as report
+    from nppg.reports.watching import watch as watch
     from nppg.rrl.options import RIBOptions as RIBOptions
     from nppg.rrl.options import TGOptions as TGOptions
     from nppg.rrl.options import TrendiOptions as TrendiOptions
+    from nppg.rules.comparing import compare as compare
     from nppg.rules.distill import distill as distill
     from nppg.rules.proof import prove as prove
     from nppg.worlds.domain import Domain as Domain
@@ -41,6 +44,7 @@ _HOME = {
     "RIBOptions": "nppg.rrl.options",
     "TGOptions": "nppg.rrl.options",
     "TrendiOptions": "nppg.rrl.options",
+    "compare": "nppg.rules.comparing",
     "distill": "nppg.rules.distill",
     "evaluate": "nppg.judging.evaluation",
     "evaluate_exactly": "nppg.judging.evaluation",
@@ -50,9 +54,11 @@ _HOME = {
     "optimum": "nppg.judging",
     "options_of": "nppg.experiments.learners",
     "prove": "nppg.rules.proof",
+    "report": "nppg.reports.build",
     "run": "nppg.experiments.runs",
     "tilde": "nppg",
     "train": "nppg.experiments.train",
+    "watch": "nppg.reports.watching",
 }
 __all__ = sorted(_HOME)
 

@@ -22,6 +22,7 @@
 :- use_module(report, [problems/2]).
 :- use_module(rule_list).
 :- use_module(schemas).
+:- use_module(shapes).
 :- use_module(source).
 :- use_module(state_text).
 :- use_module(states).
@@ -135,6 +136,11 @@ harmless(Module, Indicators, true) :-
 
 drawing(Module, Lines) :-
     picture(Module, Lines).
+
+%!  shapes_of(+Module, -Shapes) is det: the current state as shapes; see shapes.pl.
+
+shapes_of(Module, Shapes) :-
+    shapes(Module, Shapes).
 
 %!  parts_of(+Module, -Data) is det: the lists that the current state consists of.
 

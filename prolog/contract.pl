@@ -30,11 +30,12 @@ of them has a state argument: they see the facts of the current state. docs/doma
 | expert(-Action)                   | the actions that an expert would take, by backtracking   |
 | observation(-Facts)               | what is seen in place of the current state's facts, at random if it likes; default: these |
 | picture(-Lines)                   | the current state drawn for people, a list of atoms; default: its facts |
+| shapes(-Shapes)                   | the same as shapes, for reports: see shapes.pl; default: made from the facts |
 | parts(-Lists)                     | the parts that two states are compared by, each a list of ground terms; default: the facts |
 
 A file that declares :- environment(Id) is about an environment of Gymnasium, where its dynamics live: of the
-predicates above it has action/1, and expert/1, picture/1 and parts/1 if it wants. Its parameters are the arguments
-that the environment is made with, whether the file declares them or not.
+predicates above it has action/1, and expert/1, picture/1, shapes/1 and parts/1 if it wants. Its parameters are the
+arguments that the environment is made with, whether the file declares them or not.
 
 A file that declares :- background, which TILDE writes, knows no actions: its predicates may have any of these names.
 */
@@ -52,6 +53,7 @@ contract(horizon/1).
 contract(expert/1).
 contract(observation/1).
 contract(picture/1).
+contract(shapes/1).
 contract(parts/1).
 
 %   Those that an environment of Gymnasium stands for.

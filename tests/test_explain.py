@@ -18,7 +18,7 @@ from nppg.learning.options import Options
 from nppg.learning.training import train
 from nppg.logic.forms import Forms
 from nppg.policy.policy import Policy
-from nppg.rules.explain import explained, sentences
+from nppg.policy.sentences import explained, sentences
 from nppg.trees.tree import Rule, from_rules
 from nppg.worlds.domain import Domain
 

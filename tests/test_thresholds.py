@@ -26,11 +26,11 @@ from nppg.learning.options import Options
 from nppg.learning.training import train
 from nppg.logic.query import OPEN, Literal, Query, Var
 from nppg.policy.policy import Policy
+from nppg.policy.sentences import explained
 from nppg.rrl.options import RIBOptions, TGOptions, TrendiOptions
 from nppg.rrl.regressors import regressor
 from nppg.rules.distill import distill
 from nppg.rules.dot import dot
-from nppg.rules.explain import explained
 from nppg.trees.clauses import from_clause, to_clause
 from nppg.trees.tilde import Example, Newton, best_split, fit, grow
 from nppg.trees.tree import Leaf, Node, Rule, Tree, rules

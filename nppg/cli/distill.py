@@ -19,8 +19,8 @@ from nppg.cli.arguments import (
 from nppg.judging.evaluation import evaluate, evaluate_exactly, merit
 from nppg.learning.options import at_least
 from nppg.policy.policy import Policy
+from nppg.policy.sentences import explained, sentences
 from nppg.rules.distill import MAX_RULES, SECONDS, distilled
-from nppg.rules.explain import explained, sentences
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import math
 import sys
 from collections.abc import Callable
+from dataclasses import asdict
 
 from nppg.experiments.progress import Point, Progress, sizes
 from nppg.learning.options import Common
@@ -42,6 +44,20 @@ def reporter(options: Common) -> Callable[[Progress], None]:
             )
 
     return show
+
+
+def lines_of_json(options: Common) -> Callable[[Progress], None]:
+    """Each point of the curve as one line of JSON, for other programs to read."""
+
+    def show(progress: Progress) -> None:
+        if progress.point is not None:
+            domain = {"domain": progress.policy.domain.name, "seed": options.seed, "measure": progress.measure}
+            print(json.dumps(domain | asdict(progress.point)), flush=True)
+
+    return show
+
+
+REPORTERS = {"text": reporter, "jsonl": lines_of_json}
 
 
 def _returns(progress: Progress, point: Point) -> str:

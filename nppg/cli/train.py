@@ -9,7 +9,7 @@ from pathlib import Path
 
 from nppg.cli import jobs, loading
 from nppg.cli.arguments import add_domain, add_seconds, checked_seconds, warnings_told
-from nppg.cli.progress import ENDLESS, reporter
+from nppg.cli.progress import ENDLESS, REPORTERS
 from nppg.cli.training_options import add_training_options, chosen_options
 from nppg.errors import NppgError
 from nppg.experiments import runs, seeds
@@ -71,6 +71,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="seconds between two checkpoints, from which --resume goes on; 0: none (default: 60)",
     )
     files.add_argument("--quiet", action="store_true", help="print nothing")
+    files.add_argument(
+        "--log",
+        choices=("text", "jsonl"),
+        default="text",
+        help="how points of the curve are printed; jsonl: each as one line of JSON, and nothing else (default: text)",
+    )
     many = parser.add_argument_group("several runs")
     many.add_argument(
         "--seeds",
@@ -129,7 +135,7 @@ def run(options: argparse.Namespace) -> int:
 def _learned(options: argparse.Namespace, begun: Begun, output: Path) -> int:
     """Does a run, or goes on with it. Raises NppgError."""
     processes = min(2, available_cores()) if options.jobs is None else at_least("jobs", options.jobs, 1)
-    report = (lambda progress: None) if options.quiet else reporter(begun.options)
+    report = (lambda progress: None) if options.quiet else REPORTERS[options.log](begun.options)
     with warnings_told(not options.quiet):
         progress = runs.run(
             begun.domain,
@@ -142,14 +148,14 @@ def _learned(options: argparse.Namespace, begun: Begun, output: Path) -> int:
             resume=options.resume is not None,
             **begun.judging,
         )
-    if not options.quiet:
+    if not options.quiet and options.log == "text":
         print(f"written to {output}/: {', '.join(progress.written)}")
     return 0
 
 
 def _resumed(options: argparse.Namespace) -> int:
     """Goes on with a run. Raises NppgError."""
-    known = {"resume", "episodes", "jobs", "quiet", "checkpoint_every", "trust", "arguments"}
+    known = {"resume", "episodes", "jobs", "quiet", "log", "checkpoint_every", "trust", "arguments"}
     given = [name for name, value in vars(options).items() if name not in known and value not in (None, False, [])]
     if given:
         name = given[0].replace("_", "-")
@@ -162,6 +168,8 @@ def _with_seeds(options: argparse.Namespace, job: Job) -> int:
     """Does the run with each of the seeds, prints a line for each, and writes their curve. Raises NppgError."""
     if options.seed is not None:
         raise NppgError("--seed is for one run, --seeds for several: give one of them")
+    if options.log != "text":
+        raise NppgError("--log jsonl is for one run: the points of several are in their curve.csv")
     numbers = numbers_of(options.seeds, "--seeds")
     if numbers is None:
         raise NppgError(f"--seeds takes numbers such as 0-9 or 0,3,7, not '{options.seeds}'")

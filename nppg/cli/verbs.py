@@ -24,11 +24,14 @@ VERBS = {
     "evaluate": "measure a policy's success",
     "plan": "print the plan that a policy finds for a problem",
     "show": "print a policy's trees",
+    "explain": "tell for each action of a state its probability, and the rules that made it",
     "play": "draw one episode step by step",
     "distill": "write few rules that choose like a policy of many trees",
     "prove": "show from which start states a policy can fail, and write a certificate",
     "tilde": "learn a tree from examples: fit, predict, show",
     "sign": "write anew the checksums of files that were edited on purpose",
+    "curves": "draw the learning curves of several runs in one picture",
+    "report": "write one page of HTML about runs: rules, curves, trees, episodes",
     "reproduce": "do an experiment of the paper: its runs, its figure, a report",
 }
 _ABOUT = "Learn to act in structured worlds by non-parametric policy gradients, and read what was learned as rules."

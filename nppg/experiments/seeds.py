@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -33,12 +34,16 @@ def with_seeds(job: Job, seeds: Iterable[int]) -> list[Job]:
 def rows(finished: Sequence[Job]) -> list[dict[str, float]]:
     """For each episode that the runs were judged after, how many of them had got there, and the moments of what they
     were judged by. One that has ended before keeps its last value."""
-    curves = [{job.due(float(point["episode"])): point for point in job.curve()} for job in finished]
+    return averaged([{job.due(float(point["episode"])): point for point in job.curve()} for job in finished])
+
+
+def averaged(curves: Sequence[Mapping[float, Mapping[str, Any]]]) -> list[dict[str, float]]:
+    """The same of curves, points by episode."""
     known = [sorted(curve) for curve in curves]
     found = []
     for episode in sorted(set().union(*known)):
         row: dict[str, float] = {"episode": episode, "runs": sum(own[-1] >= episode for own in known)}
-        here = [curve[own[bisect_right(own, episode) - 1]] for curve, own in zip(curves, known, strict=True)]
+        here = [curve[own[max(bisect_right(own, episode) - 1, 0)]] for curve, own in zip(curves, known, strict=True)]
         for name in _COLUMNS:
             if all(point[name] for point in here):
                 row |= moments(name, [float(point[name]) for point in here])

@@ -1,1 +1,1 @@
-"""The policy: a Gibbs distribution over a sum of trees, and its file."""
+"""The policy: a Gibbs distribution over a sum of trees, why it chooses as it does, and its file."""

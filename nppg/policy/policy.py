@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Mapping, Sequence
+from html import escape
 from importlib.metadata import entry_points
 from itertools import pairwise
 from pathlib import Path
@@ -20,10 +21,12 @@ from nppg.bridge.terms import Ground, compounds, plain
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.logic.query import Var
 from nppg.policy import model
+from nppg.policy.explanation import Explanation, explanation
 from nppg.policy.forest import Forest
 from nppg.policy.gibbs import TIE, best, gibbs
+from nppg.policy.reasons import Reasons
 from nppg.trees.clauses import to_clause
-from nppg.trees.tree import Tree, leaves, mapped, rules, tests
+from nppg.trees.tree import Tree, leaves, mapped, rules, seen, tests
 from nppg.worlds.domain import Domain
 from nppg.worlds.world import Action, State
 
@@ -170,6 +173,37 @@ class Policy:
             return actions[choose_best(potentials, rng)]
         return actions[choose(self.probabilities_of(potentials), rng)]
 
+    def reasons(self, bias: LanguageBias | None = None) -> Reasons | None:
+        """Which of its rules decide, in the words of `bias`, by default its own; None where it is no sum of trees."""
+        summed = type(self).potentials_of is Policy.potentials_of
+        return Reasons(self, self.table.place, bias or self.bias) if summed and self.trees else None
+
+    def explain(self, state: State, bias: LanguageBias | None = None) -> Explanation:
+        """For each legal action of a state its probability and the rules that made it, and what would have to be
+        otherwise for another choice; in words where `bias`, by default its own, has sentences. Raises NppgError where
+        there is no action."""
+        status, legal = self.domain.situation(state)
+        if status != "running":
+            raise NppgError(f"there is no action to explain: the state is a {status} state")
+        actions, words = list(legal), bias or self.bias
+        seen = self.domain.observe(state, np.random.default_rng(0))
+        scores, reasons = self.scores(seen, actions), self.reasons(words)
+        changes = reasons.changes(scores.answers, self.potentials_of) if reasons else []
+        return explanation(self, reasons, words, seen, actions, scores, changes)
+
+    def _repr_html_(self) -> str:
+        """For notebooks: what it is, and its first tree with its rules."""
+        sizes = ", ".join(f"{size:,} {what}" for what, size in self.sizes().items())
+        head = f"<p><b>{escape(type(self).__name__)}</b> in {escape(self.domain.name)}: {sizes}</p>"
+        if not self.trees:
+            return head
+        rules = escape("\n".join(self.rules(1)))
+        return f'{head}<div style="overflow-x:auto">{self._repr_svg_()}</div><pre>{rules}</pre>'
+
+    def _repr_svg_(self) -> str | None:
+        """For notebooks: its first tree."""
+        return seen(self.trees[0], self.bias) if self.trees else None
+
     def named(self) -> set[Ground]:
         """The constants that its tests name."""
         literals = (literal for test in self.table.tests for literal in test)
@@ -198,7 +232,7 @@ class Policy:
     def save(self, path: str | Path, facts: Sequence[tuple] = (), sentences: Sequence[Sequence[str]] = ()) -> None:
         """Writes a model file, with `facts` in its head: pairs of a name and a term; and, if given, with `sentences`
         above its rules, for each tree one for each rule. A copy of the domain comes to stand beside it; raises
-        NppgError where another file of that name is there. See nppg.policy.model and nppg.rules.explain."""
+        NppgError where another file of that name is there. See nppg.policy.model and nppg.policy.sentences."""
         model.write(self, Path(path), facts, sentences)
 
     @classmethod

@@ -1,1 +1,1 @@
-"""What people read: distilled rules, sentences, proofs, pictures of trees."""
+"""What people read: distilled rules, proofs, pages of trees, where policies differ."""

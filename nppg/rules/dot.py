@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from itertools import count
 
 from nppg.bias.language_bias import LanguageBias
-from nppg.bias.text import literal_text
-from nppg.logic.query import Literal, Var
+from nppg.bias.text import heading, literal_text
 from nppg.trees.tree import Leaf, Tree
 
 
@@ -29,13 +28,4 @@ def dot(tree: Tree, bias: LanguageBias, name: str = "tree") -> str:
                 yield line
             yield f'  n{own} -> {first} [label="{answer}"];'
 
-    head = ", ".join(map(str, (literal_text(each, bias) for each in _templates(bias))))
-    return "\n".join([f"digraph {name} {{", f'  label="{head}"; labelloc=t;', *lines(tree), "}"])
-
-
-def _templates(bias: LanguageBias) -> list[Literal]:
-    templates = [*bias.actions, *([bias.goal] if bias.goal else [])]
-    return [
-        Literal(template.name, tuple(Var(offset + i) for i in range(len(template.types))))
-        for template, offset in zip(templates, bias.offsets, strict=False)
-    ]
+    return "\n".join([f"digraph {name} {{", f'  label="{heading(bias)}"; labelloc=t;', *lines(tree), "}"])

@@ -10,11 +10,23 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
+from nppg.bias.language_bias import LanguageBias
+from nppg.bias.text import heading, literal_text
 from nppg.logic.query import Query
+from nppg.trees.drawing import Drawn, svg, wrapped
+
+
+class _Seen:
+    """What notebooks show."""
+
+    __slots__ = ()
+
+    def _repr_svg_(self) -> str:
+        return seen(self)  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True, slots=True)
-class Leaf:
+class Leaf(_Seen):
     """A predicted value, and how many examples it is the mean of (0 where that is not known). A leaf of classes has the
     number of its class for a value and the weight of each in `values`, one of several targets their means."""
 
@@ -24,7 +36,7 @@ class Leaf:
 
 
 @dataclass(frozen=True, slots=True)
-class Node:
+class Node(_Seen):
     """A test: `literals` extend the node's query; the extended query holds exactly if all `tests` do."""
 
     literals: Query
@@ -69,6 +81,19 @@ def leaves(tree: Tree) -> int:
 def tests(tree: Tree) -> list[Query]:
     """The tests of all nodes."""
     return [] if isinstance(tree, Leaf) else [*tree.tests, *tests(tree.yes), *tests(tree.no)]
+
+
+def seen(tree: Tree, bias: LanguageBias | None = None, style: bool = True) -> str:
+    """The tree as SVG; the bias knows what its variables stand for. Without `style` that is the page's."""
+    return svg(_drawn(tree, bias), heading(bias) if bias else "", style)
+
+
+def _drawn(tree: Tree, bias: LanguageBias | None) -> Drawn:
+    if isinstance(tree, Leaf):
+        count = (f"{tree.examples:,} examples",) if tree.examples else ()
+        return Drawn((f"{tree.value:.4g}", *count), tree.value)
+    lines = wrapped([literal_text(literal, bias) for literal in tree.literals])
+    return Drawn(lines, yes=_drawn(tree.yes, bias), no=_drawn(tree.no, bias))
 
 
 def from_rules(ordered: Sequence[Rule], tests_of: TestsOf, query: Query = ()) -> Tree:

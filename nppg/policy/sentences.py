@@ -8,33 +8,60 @@ the worst; in a sum of trees they are changes.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from nppg.bias.language_bias import LanguageBias
+from nppg.bias.names import written
 from nppg.bias.sentences import PLACEHOLDER
+from nppg.bias.text import letter, literal_of
 from nppg.bridge.prolog import ask
-from nppg.policy.policy import Policy
+from nppg.logic.query import Query, Term, Var, solve_equalities
+from nppg.policy.model import Writable
 
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 
 
-def explained(policy: Policy, tree: int, bias: LanguageBias) -> list[str]:
+def explained(policy: Writable, tree: int, bias: LanguageBias) -> list[str]:
     """The clauses of a tree (from 1), each below its sentence as a comment."""
-    pairs = zip(sentences(policy, tree, bias), policy.rules(tree), strict=True)
+    pairs = zip(sentences(policy, tree, bias), ask("rules", policy.name, tree), strict=True)
     return [line for sentence, rule in pairs for line in (f"% {sentence}", rule)]
 
 
-def sentences(policy: Policy, tree: int, bias: LanguageBias) -> list[str]:
+def sentences(policy: Writable, tree: int, bias: LanguageBias) -> list[str]:
     """One for each rule of a tree (from 1), in the words of `bias` and with the names of the printed rule."""
     rules = ask("parts", policy.name, tree)
     values = [value for *_, value in rules]
     weights = _levels(values) if len(policy.trees) == 1 else list(map(_change, values))
+    said = phrases(policy, rules, bias)
+    leads = [f"Otherwise {weight}" if i else weight.capitalize() for i, weight in enumerate(weights)]
+    return [f"{lead}: {phrase}." for lead, phrase in zip(leads, said, strict=True)]
+
+
+def phrases(policy: Writable, rules: Sequence[list], bias: LanguageBias) -> list[str]:
+    """What each of a tree's rules, as Prolog gives their parts, is about: "move X onto Y, if X is clear"."""
     found = []
-    for i, ((action, literals, _), weight) in enumerate(zip(rules, weights, strict=True)):
-        lead = f"Otherwise {weight}" if i else weight.capitalize()
+    for i, (action, literals, _) in enumerate(rules):
         clauses = _clauses(action, literals, policy.bias, bias, "any other action" if i else "any action")
-        found.append(f"{lead}: {', if '.join(clauses)}.")
+        found.append(", if ".join(clauses))
     return found
+
+
+def instance(test: Query, names: Mapping[Var, object], own: LanguageBias, bias: LanguageBias) -> str:
+    """A test about one action, whose root variables have these names: "b2 is above b1 and b3 is clear"."""
+    theta, _ = solve_equalities(test, len(own.roots))
+
+    def named(term: Term) -> object:
+        return names.get(term, letter(term.index)) if isinstance(term, Var) else written(term)
+
+    said = []
+    for literal in test:
+        args = [named(theta.get(arg, arg) if isinstance(arg, Var) else arg) for arg in literal.args]
+        sentence = bias.sentences.get(literal.name)
+        if sentence is None or len(bias.types.get(literal.name, ())) != len(args):
+            said.append(literal_of(literal.name, args, own))
+        else:
+            said.append(PLACEHOLDER.sub(lambda match, args=args: str(args[int(match[1]) - 1]), sentence))  # type: ignore[misc]
+    return " and ".join(said)
 
 
 def _levels(values: Sequence[float]) -> list[str]:
