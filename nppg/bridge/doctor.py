@@ -108,6 +108,9 @@ def _libswipl(linked: prolog_home.Linked) -> Check:
 
 def _home(linked: prolog_home.Linked) -> Check:
     name = "home of Prolog"
+    if linked.bundled:
+        found = linked.home is not None
+        return Check(name, found, f"{linked.home}, inside janus-swi's wheel", "" if found else _rebuild())
     if chosen := os.environ.get("SWI_HOME_DIR"):
         same = linked.home is not None and os.path.realpath(chosen) == os.path.realpath(linked.home)
         if same or (linked.home is None and Path(chosen, "boot.prc").is_file()):
