@@ -136,6 +136,14 @@ def test_only_what_has_changed_is_done_again(machine: Machine) -> None:
     assert machine.installed() == ["janus-swi", ".[all]"]
 
 
+def test_the_extras_once_named_are_remembered(machine: Machine) -> None:
+    assert machine.setup(EXTRAS="").returncode == 0
+    assert machine.installed() == ["janus-swi", ".[]"]
+    assert "nothing to do" in machine.setup().stdout
+    assert machine.setup(EXTRAS="all").returncode == 0
+    assert machine.installed() == [".[all]"]
+
+
 def test_the_swipl_once_named_is_remembered(machine: Machine) -> None:
     named = machine.base / "named"
     shutil.move(machine.base / "bin" / "swipl", named)
