@@ -38,7 +38,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
         text = FENCE.sub("", _text(files, uri))
         for link in LINK.findall(text):
             path = _path(uri, link)
-            if not path.startswith("docs/") and _uri(path) not in origins and (ROOT / path).is_file():
+            if not path.startswith("docs/") and _uri(path) not in origins and (ROOT / path).exists():
                 queue += _add(files, config, path)
     files.append(File.generated(config, "reference/python.md", content=_python()))
     files.append(File.generated(config, "reference/commands.md", content=_commands()))
@@ -50,12 +50,10 @@ def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Fil
     uri = page.file.src_uri
 
     def placed(link: re.Match[str]) -> str:
-        path = _path(uri, link[1])
-        if (ROOT / path).is_dir():
-            path = posixpath.join(path, "README.md")
-        if uri.startswith("reference/") or not (ROOT / path).is_file():
+        target = _uri(_path(uri, link[1]))
+        if files.get_file_from_path(target) is None:
             return link[1]  # what is not there is told by mkdocs
-        return posixpath.relpath(_uri(path), posixpath.dirname(uri) or ".")
+        return posixpath.relpath(target, posixpath.dirname(uri) or ".")
 
     parts = re.split(f"({FENCE.pattern})", markdown, flags=re.MULTILINE | re.DOTALL)
     for index in range(0, len(parts), 2):
@@ -64,15 +62,23 @@ def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Fil
 
 
 def _add(files: Files, config: MkDocsConfig, path: str) -> list[str]:
-    """Adds a file of the repository; what it gives to read through."""
+    """Adds a file of the repository, or the list of a folder's; what there is to read through for further links."""
     uri = _uri(path)
-    origins[uri] = path
-    files.append(File.generated(config, uri, abs_src_path=str(ROOT / path)))
+    if (ROOT / path).is_file():
+        origins[uri] = path
+        files.append(File.generated(config, uri, abs_src_path=str(ROOT / path)))
+    else:
+        names = sorted(each.name for each in (ROOT / path).iterdir())
+        origins[uri] = f"{path}/README.md"
+        lines = [f"# {path}", "", *(f"* [{name}]({name})" for name in names)]
+        files.append(File.generated(config, uri, content="\n".join(lines)))
     return [uri] if uri.endswith(".md") else []
 
 
 def _uri(path: str) -> str:
-    """Where a file of the repository lies in the site."""
+    """Where a file or a folder of the repository lies in the site."""
+    if (ROOT / path).is_dir():
+        path = posixpath.join(path, "README.md")
     return FIRST.get(path) or path.removeprefix("docs/")
 
 
@@ -99,5 +105,5 @@ def _commands() -> str:
     parts = ["# Commands\n\nWhat `nppg COMMAND --help` prints.\n"]
     for name, what in verbs.VERBS.items():
         help = verbs.parser_of(name)[1].format_help()
-        parts.append(f"## nppg {name}\n\n{what.capitalize()}.\n\n```text\n{help}```\n")
+        parts.append(f"## nppg {name}\n\n{verbs.sentence(what)}.\n\n```text\n{help}```\n")
     return "\n".join(parts)

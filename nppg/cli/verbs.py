@@ -64,9 +64,14 @@ def _run(arguments: Sequence[str]) -> int:
 def parser_of(name: str) -> tuple[Any, Parser]:
     """A verb's module, and what reads its arguments."""
     verb = import_module(f"nppg.cli.{name}")
-    parser = Parser(prog=f"nppg {name}", description=f"{VERBS[name].capitalize()}.", allow_abbrev=False)
+    parser = Parser(prog=f"nppg {name}", description=f"{sentence(VERBS[name])}.", allow_abbrev=False)
     verb.add_arguments(parser)
     return verb, parser
+
+
+def sentence(what: str) -> str:
+    """With a capital at its beginning, and the others left."""
+    return what[:1].upper() + what[1:]
 
 
 def _overview() -> Parser:
