@@ -24,8 +24,9 @@ lint: setup  ## style, types, and the walls between the rooms of nppg/
 test: lint  ## what lint does, then every test, on all cores
 	$(bin)/pytest -q -n auto --dist worksteal
 
-soak: setup  ## what takes minutes to show: 200 runs that are killed
-	NPPG_SOAK=200 $(bin)/pytest -q tests/test_disk.py -k killed
+soak: setup  ## what takes minutes to show: runs that are killed, interrupted, damaged; a million steps
+	NPPG_SOAK=200 $(bin)/pytest -q -n auto --dist worksteal tests/test_disk.py tests/test_seals.py tests/test_run_machine.py
+	NPPG_SOAK=200 $(bin)/pytest -q -s tests/test_soak.py
 
 bench: setup  ## the speed table of docs/performance.md
 	$(bin)/python -m benchmarks

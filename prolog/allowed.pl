@@ -8,6 +8,8 @@
           ]).
 
 
+:- use_module(library(dcg/basics), []).
+:- use_module(library(dcg/high_order), []).
 :- use_module(library(lists), [member/2]).
 
 /** <module> What a domain may call that is not trusted
@@ -39,7 +41,7 @@ found_kind(Indicator, Kind) :-
     of_spec(Indicator, Kind).
 found_kind(Name/Arity, Kind) :-
     library_of(Name/Arity, _),
-    \+ memberchk(Name/Arity, [arithmetic_expression_value/2, arithmetic_function/1]),
+    \+ memberchk(Name/Arity, [arithmetic_expression_value/2, arithmetic_function/1, setrand/1, dict_options/2]),
     of_spec(Name/Arity, Kind).
 found_kind(_, other).
 
@@ -47,7 +49,12 @@ found_kind(_, other).
 
 of_spec(Name/Arity, Kind) :-
     functor(Head, Name, Arity),
-    (   predicate_property(nppg_allowed_sight:Head, meta_predicate(Spec)),
+    (   grammar_library(_, Module),
+        predicate_property(Module:Head, exported)
+    ->  true
+    ;   Module = nppg_allowed_sight
+    ),
+    (   predicate_property(Module:Head, meta_predicate(Spec)),
         arg(_, Spec, Argument),
         ( integer(Argument) ; memberchk(Argument, [^, //]) )
     ->  Kind = meta(Spec)
@@ -72,11 +79,20 @@ exists(Head) :-
 %   The library among those that are allowed from which Prolog would load the predicate.
 
 library_of(Name/Arity, Library) :-
-    '$in_library'(Name, Arity, Path),
-    safe_library(Library),
-    atom_concat('/library/', Library, End),
-    sub_atom(Path, _, _, 0, End),
+    (   '$in_library'(Name, Arity, Path),
+        safe_library(Library),
+        atom_concat('/library/', Library, End),
+        sub_atom(Path, _, _, 0, End)
+    ;   functor(Head, Name, Arity),
+        grammar_library(Library, Module),
+        predicate_property(Module:Head, exported)
+    ),
     !.
+
+%   Libraries that Prolog does not load by itself.
+
+grammar_library('dcg/basics', dcg_basics).
+grammar_library('dcg/high_order', dcg_high_order).
 
 safe_library(lists).
 safe_library(apply).
@@ -129,6 +145,9 @@ special(stream, [write/2, writeln/2, writeq/2, print/2, nl/1, tab/2, write_canon
 special(text, [term_to_atom/2, term_string/2, atom_to_term/3, read_term_from_atom/3]).
 special(options, [write_term/2]).
 special(phrase, [phrase/2, phrase/3]).
+special(digits, [atom_number/2, number_codes/2, number_chars/2, number_string/2, name/2]).
+special(width, [tab/1]).
+special(arithmetic, [(is)/2, (=:=)/2, (=\\=)/2, (<)/2, (>)/2, (=<)/2, (>=)/2]).
 
 built_in([ true/0, fail/0, false/0, repeat/0, !/0, (\+)/1, not/1, once/1, ignore/1, call/1, call/2, call/3, call/4, call/5,
            call/6, call/7, call/8, forall/2, findall/3, findall/4, bagof/3, setof/3, catch/3, findnsols/4, call_cleanup/2,

@@ -26,6 +26,7 @@
 :- use_module(states).
 :- use_module(table).
 :- use_module(terms).
+:- use_module(used_files, [used_files/2]).
 
 /** <module> What Python asks
 

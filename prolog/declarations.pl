@@ -9,6 +9,7 @@
 :- use_module(guard, []).
 :- use_module(report, [explanation/2]).
 :- use_module(safety, [gate/3, refusal/2, used_file/2]).
+:- use_module(used_files, [used_module/3, using/3]).
 :- use_module(values, [finite/1]).
 
 /** <module> The declarations of a domain file
@@ -57,12 +58,29 @@ user:term_expansion(Term, Expansion) :-
         nb_setval(nppg_line, Line),
         (   expansion(Term, Module, Name, Expanded)
         ->  Expansion = Expanded
-        ;   gated(Term, Module, Expansion)
+        ;   passed(Term, Module, Expansion)
         )
     ;   \+ of_prolog(Source),
         prolog_load_context(module, Other),
         used_file(Source, Other),
-        gated(Term, Other, Expansion)
+        (   used_module(Source, Term, [Head|More])
+        ->  (   gated(Head, Other, Refused)
+            ->  Expansion = Refused
+            ;   Expansion = [Head|More]
+            )
+        ;   passed(Term, Other, Expansion)
+        )
+    ).
+
+%   A directive that names a file is about one of the domain's own.
+
+passed(Term, Module, Expansion) :-
+    (   gated(Term, Module, Gated)
+    ->  Expansion = Gated
+    ;   Term = (:- Directive),
+        nonvar(Directive),
+        using(Directive, Module, Goal),
+        Expansion = (:- Goal)
     ).
 
 %   What a file that is not trusted may not do is left out of it.
@@ -186,11 +204,24 @@ may_hold(Spec, Kind, Module) :-
     ;   built_in(Spec)
     ->  wrong('~q is built into Prolog and can be no ~w: choose another name'-[Spec, Kind]),
         fail
+    ;   reserved(Spec)
+    ->  wrong('~q is kept by nppg for itself and can be no ~w: choose another name'-[Spec, Kind]),
+        fail
     ;   ( Kind == (static), Other = nppg_fluent(Spec) ; Kind == (fluent), Other = nppg_static(Spec) ),
         declared(Module, Other)
     ->  wrong('~q cannot be both a fluent and static'-[Spec]),
         fail
     ;   true
+    ).
+
+reserved(Name/Arity) :-
+    (   Name/Arity == parameter/2
+    ->  true
+    ;   Name == '[]'
+    ->  true
+    ;   member(Start, [nppg_, $]),
+        sub_atom(Name, 0, _, _, Start)
+    ->  true
     ).
 
 kind_shown((fluent), 'a fluent', 'fluent on/2').

@@ -12,6 +12,7 @@
 :- use_module(library(occurs), [sub_term/2]).
 :- use_module(allowed).
 :- use_module(goals, [doubtful/2, keep_to/1]).
+:- use_module(used_files, [path/2, used_goal/4]).
 
 /** <module> The directives of a file that is not trusted
 */
@@ -74,7 +75,7 @@ directive(Directive, Module, Folder, Terms) :-
             ;   refused_text('the library ~w is none that a domain may use which is not trusted', [Library])
             )
         ;   beside(Spec, Module, Folder, Path),
-            loaded(Directive, Path, Goal),
+            used_goal(Directive, Spec, Path, Goal),
             Terms = (:- Goal)
         )
     ;   refused_directive(Directive)
@@ -84,17 +85,10 @@ refused_directive(Directive) :-
     shown_briefly(Directive, Shown),
     refused_text(':- ~w is no declaration of a domain that is not trusted', [Shown]).
 
-%   A file that has changed since another domain used it is read again.
-
-loaded(include(_), Path, include(Path)).
-loaded(ensure_loaded(_), Path, load_files(Path, [if(changed)])).
-loaded(use_module(_), Path, load_files(Path, [if(changed), must_be_module(true)])).
-loaded(use_module(_, Imports), Path, load_files(Path, [if(changed), must_be_module(true), imports(Imports)])).
-
 imported(use_module(Spec), Spec).
 imported(use_module(Spec, Imports), Spec) :-
     ground(Imports),
-    \+ ( sub_term(Part, Imports), nonvar(Part), ( Part = _:_ ; Part = op(_, _, _) ) ).
+    \+ ( sub_term(Part, Imports), nonvar(Part), ( Part = _:_ ; Part = op(_, _, _) ; Part = as(_, _) ) ).
 imported(ensure_loaded(Spec), Spec).
 imported(include(Spec), Spec).
 
@@ -112,6 +106,8 @@ module_declared(Name, Exports) :-
         ->  fail
         ;   refused_text('there is a module ~q already', [Name])
         )
+    ;   absolute_file_name(library(Name), _, [file_type(prolog), access(read), file_errors(fail)])
+    ->  refused_text('~q is a library of Prolog: choose another name for the module', [Name])
     ;   keep_to(Name),
         fail
     ).
@@ -141,11 +137,11 @@ aggregated(po(Head), Name/2) :-
 
 
 beside(Spec, Module, Folder, Path) :-
-    (   atom(Spec),
+    (   path(Spec, Given),
         source_location(Id, _),
         source_file_of(Id, Module, From),
         file_directory_name(From, Directory),
-        absolute_file_name(Spec, Path, [relative_to(Directory), extensions([pl, '']), access(read), file_errors(fail)])
+        absolute_file_name(Given, Path, [relative_to(Directory), extensions([pl, '']), access(read), file_errors(fail)])
     ->  py_call('nppg.bridge.bounds':included(Path, Folder), Found),
         (   Found == ''
         ->  true

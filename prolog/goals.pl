@@ -1,8 +1,5 @@
 :- module(nppg_goals,
           [ checked_body/3,      % +Module, +Body, -Checked      det
-            lambda/1,            % +Term                         semidet
-            plain_head/1,        % +Head                         semidet
-            plain_name/1,        % +Name                         semidet
             refused/1,           % +Goal                         throws
             special/4,           % +What, +Goal, +Module, -Checked  semidet
             doubt/5,             % ?Module, ?Name, ?Arity, ?Id, ?Line  nondet
@@ -11,12 +8,15 @@
             own/2,               % +Module, +Head                semidet
             there/2,             % +Module, +Head                semidet
             keep_to/1,           % +Module                       det
-            let_go/1             % +Module                       det
+            let_go/1,            % +Module                       det
+            asked_there/2        % +Module, +Goal                semidet
           ]).
 
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, memberchk/2]).
+:- use_module(library(occurs), [sub_term/2]).
 :- use_module(allowed).
+:- use_module(harmless).
 
 /** <module> The goals of a domain that is not trusted
 
@@ -100,6 +100,8 @@ checked_body(Module, Other:Goal, Goal1) :-
     !,
     (   nonvar(Goal), Other == Module
     ->  checked_body(Module, Goal, Goal1)
+    ;   asked_there(Other, Goal)
+    ->  Goal1 = Other:Goal
     ;   callable(Goal), functor(Goal, Name, Arity), library_of(Name/Arity, Other), kind(Goal, Kind), Kind \== other
     ->  of_kind(Kind, Goal, Module, Goal2),
         Goal1 = Other:Goal2
@@ -115,8 +117,27 @@ checked_body(Module, Goal, Checked) :-
     of_kind(Kind, Goal, Module, Checked).
 checked_body(_, Goal, Goal).
 
+%!  asked_there(+Module, +Goal) is semidet.
+%
+%   Goals of another file's own predicates, which that file has handed on to be called; they change nothing there.
+
+asked_there(Module, Goal) :-
+    atom(Module),
+    callable(Goal),
+    kept(Module),
+    (   connective(Goal)
+    ->  forall(arg(_, Goal, Part), asked_there(Module, Part))
+    ;   kind(Goal, Kind),
+        (   memberchk(Kind, [pure, special(arithmetic)])
+        ->  true
+        ;   Kind == other,
+            own(Module, Goal)
+        )
+    ).
+
 connective((_, _)).
 connective((_ ; _)).
+connective('|'(_, _)).                   % as ; to the compiler
 connective((_ -> _)).
 connective((_ *-> _)).
 connective(\+ _).
@@ -194,12 +215,6 @@ closure(Module, Count, Closure0, Closure) :-
     ).
 closure(Module, _, Closure, nppg_late:checked(Module, Closure)).
 
-lambda(Closure) :-
-    compound(Closure),
-    compound_name_arity(Closure, Name, 2),
-    ( Name == (>>) ; Name == (/) ),
-    !.
-
 extended(Closure, Count, More, Goal) :-
     length(More, Count),
     Closure =.. List0,
@@ -242,6 +257,17 @@ special(stream, Goal, _, Goal) :-
     atom(Stream),
     memberchk(Stream, [user_error, user_output, current_output]).
 special(text, Goal, Module, nppg_late:with_text(Module, Goal)).
+special(digits, Goal, Module, nppg_late:with_text(Module, Goal)).
+special(width, Goal, Module, Checked) :-
+    (   Goal = tab(Width), integer(Width), Width < 10 000
+    ->  Checked = Goal
+    ;   Checked = nppg_late:with_text(Module, Goal)
+    ).
+special(arithmetic, Goal, Module, Checked) :-
+    (   ( Goal = (_ is Right), var(Right) ; sub_term(Part, Goal), power(Part) )
+    ->  Checked = nppg_late:with_text(Module, Goal)
+    ;   Checked = Goal
+    ).
 special(options, Goal, _, Goal) :-
     arg(2, Goal, Options),
     ground(Options),
@@ -261,36 +287,3 @@ special(phrase, Goal, Module, Checked) :-
 member_of(Member, [Member|_]).
 member_of(Member, [_|Rest]) :-
     member_of(Member, Rest).
-
-sink(Sink) :-
-    nonvar(Sink),
-    (   memberchk(Sink, [user_error, user_output, current_output])
-    ;   memberchk(Sink, [atom(_), string(_), codes(_), codes(_, _), chars(_), chars(_, _)])
-    ),
-    !.
-
-%   Without ~@ and ~W, which call what they are given.
-
-plain_format([]).
-plain_format([0'~|Codes]) :-
-    !,
-    argument_skipped(Codes, [Directive|Rest]),
-    \+ memberchk(Directive, `@W`),
-    plain_format(Rest).
-plain_format([_|Codes]) :-
-    plain_format(Codes).
-
-argument_skipped([0'`, _|Codes], Codes) :- !.
-argument_skipped([Code|Codes], Rest) :-
-    memberchk(Code, `0123456789*:`),
-    !,
-    argument_skipped(Codes, Rest).
-argument_skipped(Codes, Codes).
-
-plain_head(Head) :-
-    functor(Head, Name, _),
-    plain_name(Name).
-
-plain_name(Name) :-
-    \+ sub_atom(Name, 0, _, _, nppg_),
-    \+ sub_atom(Name, 0, _, _, $).

@@ -3,9 +3,10 @@
             with_text/2          % +Module, +Goal                nondet
           ]).
 
-:- use_module(library(lists), [append/3]).
+:- use_module(library(lists), [append/3, memberchk/2]).
 :- use_module(allowed, [kind/2]).
 :- use_module(goals).
+:- use_module(harmless).
 
 /** <module> Goals that are made while a domain runs that is not trusted
 
@@ -40,18 +41,28 @@ run(Module, Closure, More) :-
     ->  run(Module, Inner, More)
     ;   Closure = Module:Inner
     ->  run(Module, Inner, More)
+    ;   Closure = Other:Inner, extended(Inner, More, Goal), asked_there(Other, Goal)
+    ->  call(Other:Goal)
+    ;   Closure = _:_
+    ->  throw(nppg_refused(Closure, 'a goal of another module'))
     ;   callable(Closure), lambda(Closure)
     ->  run_lambda(Closure, Module, More)
     ;   More == []
     ->  checked_body(Module, Closure, Goal),
         call(Module:Goal)
-    ;   callable(Closure)
-    ->  Closure =.. List0,
-        append(List0, More, List),
-        Goal =.. List,
-        checked_body(Module, Goal, Checked),
+    ;   extended(Closure, More, Goal)
+    ->  checked_body(Module, Goal, Checked),
         call(Module:Checked)
     ;   throw(error(type_error(callable, Closure), _))
+    ).
+
+extended(Closure, More, Goal) :-
+    callable(Closure),
+    (   More == []
+    ->  Goal = Closure
+    ;   Closure =.. List0,
+        append(List0, More, List),
+        Goal =.. List
     ).
 
 %   Params>>Body and Free/Body, as library(yall) has them: each call has a copy, but for what is in Free.
@@ -82,6 +93,8 @@ with_text(Module, Goal) :-
     kind(Goal, special(What)),
     (   known_now(What, Goal, Module, Checked)
     ->  call(Module:Checked)
+    ;   memberchk(What, [digits, width, arithmetic])
+    ->  throw(nppg_refused('a number or a text is too large', ''))
     ;   refused(Goal)
     ).
 
@@ -115,3 +128,41 @@ known_now(format, Goal, Module, Goal) :-
     Same == Goal.
 known_now(text, Goal, _, Goal) :-
     \+ ( arg(_, Goal, Text), atomic(Text), \+ number(Text), atom_length(Text, Length), Length > 1000 ).
+known_now(digits, Goal, _, Goal) :-
+    \+ ( arg(_, Goal, Text), \+ number(Text), long(Text) ).
+known_now(width, tab(Width), _, tab(Width)) :-
+    Width < 10 000.
+known_now(arithmetic, Goal, _, Goal) :-
+    arg(2, Goal, Right),
+    small(Right),
+    (   functor(Goal, is, 2)
+    ->  true
+    ;   arg(1, Goal, Left),
+        small(Left)
+    ).
+
+long(Text) :-
+    (   is_list(Text)
+    ->  length(Text, Length)
+    ;   atomic(Text),
+        atom_length(Text, Length)
+    ),
+    Length > 1000.
+
+%   No power in the expression has more than a million bits.
+
+small(Expression) :-
+    (   compound(Expression)
+    ->  \+ ( arg(_, Expression, Part), \+ small(Part) ),
+        \+ ( arguments(Expression, Base, Exponent), Bits is msb(abs(Base)+1)*Exponent, Bits > 1 000 000 )
+    ;   true
+    ).
+
+arguments(Power, Base, Exponent) :-
+    (   ( Power = Left**Right ; Power = Left^Right )
+    ;   Power = _<<Right,
+        Left = 2
+    ),
+    catch(( Base is Left, Exponent is Right ), _, fail),
+    integer(Base),
+    integer(Exponent).

@@ -8,12 +8,14 @@
 :- use_module(contract).
 :- use_module(declarations).
 :- use_module(formula, []).
-:- use_module(guard, [stop_for/1]).
+:- use_module(guard, [stop_for/1, untame/1]).
 :- use_module(call_graph, [static_predicate/2]).
 :- use_module(interpretation, [forget/1, forget_tables/2]).
 :- use_module(randomness, []).
 :- use_module(report, [explanation/2]).
 :- use_module(safety, [forget_files/0, guarding/2, unguarded/1]).
+:- use_module(waiting, []).
+:- use_module(used_files, [reading_used/3, unload_source/1, unload_used/1]).
 
 /** <module> Loading domain files
 
@@ -23,6 +25,7 @@ beside itself.
 
 :- dynamic
     defines/2,                   % Module, Indicator: of the contract's predicates
+    source/2,                    % Module, Id: what Prolog takes for the file that it comes from
     instances/1.
 instances(0).
 
@@ -44,14 +47,15 @@ load_domain(File, Parameters, Trust, Module, Description) :-
     ;   file_directory_name(File, Folder),
         Load = guarding(Folder, load(File, Module))
     ),
-    reading(Module, Name, File, Parameters, Load, Heard, Refused0),
+    reading(Module, Name, File, Parameters, reading_used(Module, File, Load), Heard, Refused0),
     findall(Problem, unguarded(Problem), Refused, Refused0),
     must_be_harmless(Refused, Module),
     add_import_module(Module, nppg_randomness, start),
     add_import_module(Module, nppg_formula, start),
+    add_import_module(Module, nppg_waiting, start),
     (   member(Problem, Heard), syntax_error(Problem)
     ->  Mistakes = []                       % what could not be read would be taken for missing
-    ;   findall(Problem, mistake(Module, File, Parameters, Problem), Mistakes)
+    ;   findall(Problem, ( mistake(Module, File, Parameters, Problem), \+ told(Problem, Heard) ), Mistakes)
     ),
     append(Heard, Mistakes, Problems),
     (   Problems == []
@@ -136,6 +140,7 @@ first_term(In, Term) :-
 
 load(File, Module) :-
     atomic_list_concat([File, Module], '#', Id),
+    assertz(source(Module, Id)),
     nb_setval(nppg_line, 1),
     Limit = 100 000 000,
     statistics(inferences, Before),
@@ -172,13 +177,23 @@ load_problem(File, What, -(File, Line, 0, Text)) :-
     ;   Text = What
     ).
 
+%   There is no fluent because the declaration has been refused.
+
+told(-(_, _, _, Text), Heard) :-
+    sub_atom(Text, 0, _, _, 'no fluent is declared'),
+    member(-(_, _, _, Why), Heard),
+    ( sub_atom(Why, _, _, _, 'can be no fluent') ; sub_atom(Why, 0, _, _, 'a fluent is declared by') ),
+    !.
+
 syntax_error(-(_, _, _, Text)) :-
     sub_atom(Text, 0, _, _, 'Syntax error').
 
 unload_domain(Module) :-
     forget(Module),
     retractall(defines(Module, _)),
-    forall(( source_file(Id), atom_concat(_, Module, Id) ), unload_file(Id)),
+    unload_used(Module),
+    forall(retract(source(Module, Id)), unload_source(Id)),
+    untame(Module),
     forall(( current_predicate(Module:Name/Arity),
              functor(Head, Name, Arity),
              predicate_property(Module:Head, dynamic),

@@ -11,6 +11,7 @@
 :- use_module(library(occurs), [sub_term/2]).
 :- use_module(directives).
 :- use_module(goals).
+:- use_module(harmless).
 :- use_module(library(prolog_wrap), [wrap_predicate/4]).
 
 /** <module> Files that are not trusted
@@ -144,11 +145,11 @@ head(Head) :-
 :- dynamic plain/2.              % Name, Arity: a clause may have it as its head
 
 must_be_plain(Name, Arity, Head) :-
-    (   memberchk(Name/Arity, [(:)/2, '[|]'/2, []/0, (-->)/2, (:-)/2, (:-)/1, (?-)/1, (=>)/2, (',')/2, (;)/2, (->)/2])
+    (   \+ plain_name(Name)
+    ->  refused_text('~q is a name that nppg and Prolog keep for themselves', [Name])
+    ;   \+ plain_head(Head)
     ->  shown_briefly(Head, Shown),
         refused_text('~w is no clause of the file\'s own', [Shown])
-    ;   ( sub_atom(Name, 0, _, _, nppg_) ; sub_atom(Name, 0, _, _, $) )
-    ->  refused_text('~q is a name that nppg and Prolog keep for themselves', [Name])
     ;   hook(Name/Arity)
     ->  refused_text('~q would change how Prolog reads or prints', [Name/Arity])
     ;   true

@@ -12,6 +12,7 @@ from pathlib import Path
 import janus_swi
 import numpy as np
 import pytest
+from samples import resigned
 
 import nppg.bridge.prolog
 from nppg import Domain, LanguageBias, NppgError, Options, Policy, train
@@ -546,7 +547,7 @@ def test_models(model: Path, change: object, monkeypatch: pytest.MonkeyPatch) ->
     Policy.load(model)
     changed = change(model.read_text())  # type: ignore[operator]
     assert changed != model.read_text()
-    model.write_text(changed)
+    resigned(model, changed)
     with pytest.raises(NppgError) as caught:
         Policy.load(model)
     assert len(caught.value.problems) == 1 and "nppg_" not in str(caught.value)
@@ -557,7 +558,7 @@ def test_models_that_cannot_be_read(tmp_path: Path, model: Path) -> None:
     for path in (tmp_path, tmp_path / "nonesuch.pl"):
         with pytest.raises(NppgError, match="cannot be read"):
             Policy.load(path)
-    model.write_bytes(b"\xff\xfe" + model.read_bytes())
+    resigned(model, b"\xff\xfe" + model.read_bytes())
     with pytest.raises(NppgError):
         Policy.load(model)
 

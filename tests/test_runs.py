@@ -14,6 +14,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from samples import resigned
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge import prolog
@@ -89,7 +90,7 @@ def test_a_run_ends_with_its_seconds_as_with_its_episodes(tmp_path: Path) -> Non
     settings = {name: summary[name] for name in ("domain", "bias", "options", "curve")}
     assert is_finished(tmp_path, settings)
     summary["seconds"] = 0.05
-    (tmp_path / "run.json").write_text(json.dumps(summary))
+    resigned(tmp_path / "run.json", json.dumps(summary))
     assert not is_finished(tmp_path, settings)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -66,8 +67,8 @@ def test_files_of_the_folder_are_looked_at_too(tmp_path: Path) -> None:
     assert domain.situation(domain.start(np.random.default_rng(0))).status == "running"
     (path.parent / "less.pl").write_text(":- module(walk_less, [near/1]).\nnear(X) :- shell(X).\n")
     path.write_text(source.replace("(more)", "(less)"))
-    for said in (r"less\.pl:2: shell/1.*--trust", "near/1.*--trust"):
-        with pytest.raises(NppgError, match=said):
+    for _ in range(2):
+        with pytest.raises(NppgError, match=r"less\.pl:2: shell/1.*--trust"):
             Domain(path)
     (path.parent / "rest.pl").write_text(":- shell(x).\n")
     path.write_text(source)
@@ -104,6 +105,47 @@ def test_a_language_bias_runs_nothing(tmp_path: Path) -> None:
     with pytest.raises(NppgError):
         list(train(Domain(path), LanguageBias.load(bias), Options(episodes=3)))
     assert not (tmp_path / "mark").exists()
+
+
+@pytest.mark.parametrize("text", hostile.BIASES.values(), ids=hostile.BIASES)
+def test_a_language_bias_is_bounded(tmp_path: Path, text: str) -> None:
+    bias = tmp_path / "walk.yaml"
+    bias.write_text(text.replace("MARK", str(tmp_path / "mark")))
+    with pytest.raises(NppgError) as caught:
+        LanguageBias.load(bias)
+    assert len(str(caught.value)) < 30_000 and not (tmp_path / "mark").exists()
+
+
+def test_what_a_domain_may_do_besides(tmp_path: Path) -> None:
+    source = hostile.HEAD + ":- use_module(library(dcg/basics)).\n:- use_module(walk_besides).\n" + hostile.REST
+    goal = "goal :- atom_codes('12', C), phrase(integer(X), C), X is 3 * 2 ** 2, twice(larger(X)), 2 ** 0.5 > 1.\n"
+    path = file(tmp_path, source + goal + "larger(X, Y) :- Y > X, at(_).\n")
+    more = ":- module(walk_besides, [twice/1]).\n:- meta_predicate twice(1).\n"
+    more += "twice(G) :- call(G, 20), maplist(G, [30, 40]).\n"
+    (path.parent / "walk_besides.pl").write_text(more)
+    domain = Domain(path)
+    assert domain.situation(domain.start(np.random.default_rng(0))).status == "goal"
+
+
+def test_a_goal_that_waits_is_stopped(tmp_path: Path) -> None:
+    domain = Domain(file(tmp_path, hostile.HEAD + hostile.REST + "goal :- sleep(60).\n"), trust=True)
+    with pytest.raises(NppgError, match="seconds"):
+        domain.situation(domain.start(np.random.default_rng(0)))
+
+
+HANG = "goal :- E = 7 ** (7 ** 10), X is E + 1, X > 3.\n"
+MEMORY = "goal :- doubled(34, abcdefgh, _).\ndoubled(0, A, A).\n"
+MEMORY += "doubled(N, A, B) :- N > 0, M is N - 1, atom_concat(A, A, C), doubled(M, C, B).\n"
+
+
+@pytest.mark.parametrize("goal, said", [("goal :- at(0).\n", ""), (HANG, "ended"), (MEMORY, "ended|seconds|memory")])
+def test_a_process_of_its_own_can_be_ended(tmp_path: Path, goal: str, said: str) -> None:
+    path = file(tmp_path, hostile.HEAD + hostile.REST + goal)
+    path.with_suffix(".yaml").write_text("action: [left, right]\ntypes: {at: [n]}\nmodes: [at(0)]\n")
+    check = [sys.executable, "-m", "nppg", "check", str(path), "--isolate"]
+    done = subprocess.run(check, capture_output=True, text=True)
+    assert done.returncode == (2 if said else 0)
+    assert done.stderr.count("\n") == (1 if said else 0) and re.search(said, done.stderr)
 
 
 def test_problems_and_states_are_bounded(tmp_path: Path) -> None:

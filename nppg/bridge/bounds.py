@@ -7,7 +7,7 @@ from pathlib import Path
 
 from nppg.errors import NppgError, Problem
 
-BYTES = 8 * 2**20  # of a domain file
+BYTES = 4 * 2**20  # of a domain file
 DATA = 512 * 2**20  # of a file of problems, or of a model
 DEPTH = 1000  # brackets in each other
 OPERATORS = 5000  # in each other, of a term
@@ -15,7 +15,10 @@ DIGITS = 1000
 CHARACTERS = 100_000  # of a name or a text
 ARGUMENTS = 10_000  # of a term
 ELEMENTS = 2_000_000  # of a list
-_SHORT = 1000  # in a clause of so many characters nothing can be out of bounds
+# Lines in which nothing can be out of bounds: a short clause each, without what brackets or an end may hide in.
+_SHORT = re.compile(
+    r"""(?:(?:(?:[^%'"`/\\\r\n]|(?<!\w)'[^'\\\r\n]{0,1000}'){1,1000}(?<=[A-Za-z0-9_)\]]\.)|%[^\r\n]*)?\r?\n)+"""
+)
 
 _TOKEN = re.compile(
     r"""(?P<blank>\s+|%[^\n]*)
@@ -24,7 +27,7 @@ _TOKEN = re.compile(
     |(?P<number>\d\w*(?:\s+\d\w*)*(?P<radix>'\w+)?)
     |(?P<word>\w+)
     |(?P<quoted>'(?:[^'\\]+|\\.|'')*'?|"(?:[^"\\]+|\\.|"")*"?|`(?:[^`\\]+|\\.|``)*`?)
-    |(?P<symbol>[-+*/\\^<>=~:.?@\#&$]+)
+    |(?P<symbol>(?:[-+*/\\^<>=~:.?@\#&$]|(?![\w\s])[^\x00-\x7f])+)
     |(?P<open>[(\[{])
     |(?P<close>[)\]}])
     |(?P<comma>[,|])
@@ -32,7 +35,18 @@ _TOKEN = re.compile(
     re.VERBOSE | re.DOTALL,
 )
 _OPERANDS = frozenset({"character", "number", "word", "quoted"})
-_DICTIONARY = re.compile(r"[\w)}]\.[A-Za-z_]|[\w'\"]\{")
+_SYMBOL = r"\-+*/\\^<>=~:.?@#&$"
+_POINT = re.compile(rf"\.(?=[^\s%{_SYMBOL}])")  # that does not end a clause
+_FRACTION = re.compile(r"(?:[^\w.]|^)\d+\.\d")
+_BRACE = re.compile(r"[\w'\"]\{")
+
+
+def _has_dictionaries(text: str) -> bool:
+    """Whether it may have: there is a point that stands in no number, or a brace that touches a name."""
+    points = (point.start() for point in _POINT.finditer(text))
+    return any(not _FRACTION.search(text, max(0, at - 20), at + 2) for at in points) or (
+        "{" in text and _BRACE.search(text) is not None
+    )
 
 
 def bounded(source: bytes, file: str, most: int = BYTES) -> bool:
@@ -43,12 +57,11 @@ def bounded(source: bytes, file: str, most: int = BYTES) -> bool:
         text = source.decode("utf-8-sig")
     except UnicodeDecodeError:
         raise _Beyond(file, 1, "is no text in UTF-8: a domain starts with :- module(Name, []).").error() from None
-    if "/*" in text or max(map(len, text.split(".\n"))) > _SHORT:
-        try:
-            _scan(text)
-        except _Beyond as beyond:
-            raise _Beyond(file, text.count("\n", 0, beyond.line) + 1, beyond.message).error() from None
-    return _DICTIONARY.search(text) is not None
+    try:
+        _scan(text)
+    except _Beyond as beyond:
+        raise _Beyond(file, text.count("\n", 0, beyond.line) + 1, beyond.message).error() from None
+    return _has_dictionaries(text)
 
 
 def checked(text: str, what: str) -> str:
@@ -98,10 +111,20 @@ class _Level:
 
 def _scan(text: str) -> None:
     """Raises _Beyond."""
+    start, whole = 0, len(text)
+    while start < whole:
+        if short := _SHORT.match(text, start):
+            start = short.end()
+        else:
+            start = _clause_end(text, start)
+
+
+def _clause_end(text: str, start: int) -> int:
+    """Where the clause ends that starts there. Raises _Beyond."""
     levels = [_Level()]
     beneath = 0  # operators in the levels below the uppermost
     before, end = "", 0  # the kind of the last token that is none of blanks, and where it ended
-    for match in _TOKEN.finditer(text):
+    for match in _TOKEN.finditer(text, start):
         kind = match.lastgroup
         if kind == "radix":
             kind = "number"
@@ -111,8 +134,7 @@ def _scan(text: str) -> None:
         if kind == "symbol":
             token = match.group()
             if token == "." and text[match.end() : match.end() + 1] in ("", " ", "\n", "\t", "\r", "%"):
-                levels, beneath, before = [_Level()], 0, ""
-                continue
+                return match.end()
             if "/*" in token:
                 raise _Beyond("", start, "a comment has to stand behind a blank")
             level.operators += 1
@@ -147,3 +169,4 @@ def _scan(text: str) -> None:
         if beneath + levels[-1].operators > OPERATORS:
             raise _Beyond("", start, f"a term has more than {OPERATORS:,} operators in each other")
         before, end = kind or "", match.end()
+    return len(text)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import fcntl
 import hashlib
 import os
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -49,6 +49,22 @@ def replacing(path: Path, write_to: Callable[[Path], object]) -> None:
             temporary.unlink(missing_ok=True)
 
 
+def made(folder: Path) -> None:
+    """Makes a folder where there is none. Raises NppgError."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise NppgError([Problem(str(folder), 0, 0, f"the folder cannot be made: {error.strerror}")]) from None
+
+
+def write_files(folder: Path, files: Mapping[str, bytes]) -> None:
+    """Writes files, contents by name, into a folder of somebody's own, and its folders where names have some."""
+    for name, data in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+
+
 def _flush(path: Path) -> None:
     """Has what is in a file, or the names in a folder, come to the disk."""
     descriptor = os.open(path, os.O_RDONLY)
@@ -86,11 +102,6 @@ def held(folder: Path) -> Iterator[None]:
         yield
     finally:
         os.close(descriptor)
-
-
-def file_hash(path: str | Path) -> str:
-    """SHA-256 of a file, in hexadecimal."""
-    return sha256(Path(path).read_bytes())
 
 
 def sha256(data: bytes) -> str:

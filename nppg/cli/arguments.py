@@ -45,11 +45,16 @@ def add_domain(parser: argparse.ArgumentParser | argparse._ArgumentGroup, needed
 
 
 def add_trust(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
-    """Whether the domain file is code that may do anything."""
+    """Whether the domain file is code that may do anything, and whether in a process of its own."""
     parser.add_argument(
         "--trust",
         action="store_true",
         help="let the domain file do anything on this machine: for those of authors whom you trust (SECURITY.md)",
+    )
+    parser.add_argument(
+        "--isolate",
+        action="store_true",
+        help="run in a process of its own, which is ended where the domain hangs or takes more than 4 GB of memory",
     )
 
 
@@ -123,6 +128,9 @@ def add_parameters(parser: argparse.ArgumentParser | argparse._ArgumentGroup) ->
 def add_model(parser: argparse.ArgumentParser) -> None:
     """A model file."""
     parser.add_argument("model", type=Path, help="a model file")
+    parser.add_argument(
+        "--edited", action="store_true", help="take the file as it is, though it was changed since nppg wrote it"
+    )
     add_trust(parser)
 
 

@@ -149,7 +149,7 @@ def _learned(options: argparse.Namespace, begun: Begun, output: Path) -> int:
 
 def _resumed(options: argparse.Namespace) -> int:
     """Goes on with a run. Raises NppgError."""
-    known = {"resume", "episodes", "jobs", "quiet", "checkpoint_every", "arguments"}
+    known = {"resume", "episodes", "jobs", "quiet", "checkpoint_every", "trust", "arguments"}
     given = [name for name, value in vars(options).items() if name not in known and value not in (None, False, [])]
     if given:
         name = given[0].replace("_", "-")

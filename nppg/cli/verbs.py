@@ -11,6 +11,7 @@ from typing import Any
 
 from nppg.bridge.doctor import versions
 from nppg.cli.arguments import Parser, warnings_told
+from nppg.cli.isolating import bound, is_isolated, isolated
 from nppg.errors import NppgError, suggestion
 
 VERBS = {
@@ -27,6 +28,7 @@ VERBS = {
     "play": "draw one episode step by step",
     "distill": "write few rules that choose like a policy of many trees",
     "prove": "show from which start states a policy can fail, and write a certificate",
+    "sign": "write anew the checksums of files that were edited on purpose",
     "reproduce": "do an experiment of the paper: its runs, its figure, a report",
     "completion": "print what makes a shell complete nppg's commands and options",
 }
@@ -52,6 +54,10 @@ def _run(arguments: Sequence[str]) -> int:
         raise NppgError(f"{name} is no option of nppg: see nppg --help")
     if name not in VERBS:
         raise NppgError(f"there is no command {name}{suggestion(name, VERBS)}: see nppg --help")
+    if is_isolated():
+        bound()
+    elif "--isolate" in rest:
+        return isolated(arguments)
     verb, parser = parser_of(name)
     options = parser.parse_args(rest, argparse.Namespace(arguments=arguments))
     if getattr(options, "trust", False):

@@ -29,17 +29,17 @@ class Begun(NamedTuple):
     judging: Judging
 
 
-def begun(folder: Path, episodes: int | None = None) -> Begun:
+def begun(folder: Path, episodes: int | None = None, trust: bool | None = None) -> Begun:
     """The run of a folder's checkpoint, whose domain and language bias are written beside it where they are missing;
-    with so many episodes, if they are given. Raises NppgError."""
-    path = folder / CHECKPOINT
-    saved = checkpoints.read(path)
+    with so many episodes, if they are given. `trust` is about the domain; that the run was begun with it says nothing,
+    for the folder may be another's. Raises NppgError."""
+    saved = checkpoints.last(folder)
     found: list[Begun] = []
-    checkpoints.resumed(path, lambda: found.append(_begun(folder, saved, episodes)))
+    checkpoints.resumed(saved.path, lambda: found.append(_begun(folder, saved.run, episodes, trust)))
     return found[0]
 
 
-def _begun(folder: Path, saved: Mapping[str, Any], episodes: int | None) -> Begun:
+def _begun(folder: Path, saved: Mapping[str, Any], episodes: int | None, trust: bool | None) -> Begun:
     known, sources = saved["settings"], saved["sources"]
     if known["bias"] is None:
         message = "its language bias has no file: go on with it in Python, by nppg.run(..., resume=True)"
@@ -54,5 +54,5 @@ def _begun(folder: Path, saved: Mapping[str, Any], episodes: int | None) -> Begu
     bias = LanguageBias.load(folder / known["bias"]["file"])
     bias = replace(bias, tree=TreeLimits(**known["tree"]))
     chosen = () if known["beside"] else saved["chosen"]
-    domain = open_domain(folder / known["domain"]["file"], known["domain"]["parameters"], chosen)
+    domain = open_domain(folder / known["domain"]["file"], known["domain"]["parameters"], chosen, trust)
     return Begun(domain, bias, options, known["curve"])

@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import csv
 import json
-import platform
+import warnings
 from collections.abc import Mapping
 from dataclasses import asdict, fields
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
-
-import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.files import replacing, sha256
 from nppg.bridge.interrupts import undisturbed
-from nppg.bridge.prolog import ask
+from nppg.bridge.seals import opened, sealed
 from nppg.errors import NppgError, Problem
 from nppg.experiments import drawing
 from nppg.experiments.progress import Judging, Point, Progress, sizes, title
+from nppg.experiments.versions import versions
 from nppg.learning.options import Common
 from nppg.policy.copies import CHECKPOINT, conflicts, write_copies
 from nppg.policy.model import write_model
@@ -54,10 +52,29 @@ def settings(domain: Domain, bias: LanguageBias, options: Common, judging: Judgi
     }
 
 
+def summary_of(output: Path) -> dict[str, Any]:
+    """What run.json says. Raises NppgError where it is not there as a run has written it."""
+    path = output / "run.json"
+
+    def parsed(content: bytes) -> dict[str, Any]:
+        try:
+            summary = json.loads(content)
+        except (ValueError, RecursionError):
+            summary = None
+        if not isinstance(summary, dict) or "episodes" not in summary:
+            raise NppgError([Problem(str(path), 0, 0, "is no run.json of nppg, or was cut off")])
+        return summary
+
+    return opened(path, parsed)
+
+
 def is_finished(output: Path, wanted: Mapping[str, Any]) -> bool:
-    """Whether a folder holds the model and the curve of a run with these settings that came to its end."""
+    """Whether a folder holds the model and the curve of a run with these settings that came to its end. Warns where
+    its run.json is damaged."""
+    if not (output / "run.json").exists():
+        return False
     try:
-        summary = json.loads((output / "run.json").read_text())
+        summary = summary_of(output)
         last, judging = summary["last"] or {}, summary["curve"]
         alike = all(summary[name] == value for name, value in json.loads(json.dumps(wanted)).items())
         ended = summary["episodes"] == summary["options"]["episodes"] or any_reached(
@@ -65,7 +82,10 @@ def is_finished(output: Path, wanted: Mapping[str, Any]) -> bool:
             (last.get("mean_return"), judging["until_return"]),
             (summary["seconds"], judging.get("seconds")),
         )
-    except (OSError, ValueError, KeyError, TypeError):
+    except NppgError as error:
+        warnings.warn(f"{error}; the run is done again", stacklevel=3)
+        return False
+    except (ValueError, KeyError, TypeError):
         return False
     return alike and ended and all((output / name).is_file() for name in FILES[: 3 if last else 2])
 
@@ -106,10 +126,8 @@ def write_files(
     write_copies(output, copies)
     write_model(policy, output / "model.pl", facts)
     summary = {
-        "nppg": version("nppg"),
-        "prolog": ask("version"),
-        "python": platform.python_version(),
-        "numpy": np.__version__,
+        **versions(),
+        "trust": domain.trusted,
         **settings(domain, bias, options, judging),
         "episodes": progress.episodes,
         **policy.sizes(),
@@ -122,7 +140,8 @@ def write_files(
         written.append("curve.csv")
         if ended and _draw(progress, output / "curve.png"):
             written.append("curve.png")
-    replacing(output / "run.json", lambda path: path.write_text(json.dumps(summary, indent=2) + "\n"))
+    text = json.dumps(summary, indent=2) + "\n"
+    replacing(output / "run.json", lambda path: path.write_bytes(sealed(text.encode())))
     for name in set(FILES) - set(written) if earlier else ():
         (output / name).unlink(missing_ok=True)
     if problems:

@@ -27,7 +27,7 @@ from nppg.judging.space import Space
 from nppg.learning.options import Common
 from nppg.learning.rollouts import are_many
 from nppg.learning.training import Iteration
-from nppg.policy.copies import CHECKPOINT, recorded_hashes
+from nppg.policy.copies import BEFORE, CHECKPOINT, recorded_hashes
 from nppg.worlds.domain import Domain
 from nppg.worlds.gym_domain import GymDomain
 
@@ -79,7 +79,7 @@ def run(
         raise NppgError(problems)
     make_folder(output)
     with held(output):
-        sweep(output, (*FILES, CHECKPOINT, *copies))
+        sweep(output, (*FILES, CHECKPOINT, BEFORE, *copies))
         going = _Run(domain, bias, options, judging, output, copies, space, jobs, checkpoint_every)
         if resume:
             going.resume()
@@ -152,8 +152,7 @@ class _Run:
         finally:
             if self.drawn:
                 self.drawn.close()
-        if not self.checkpoints.are_kept:
-            checkpoints.forget(self.output)
+        self.checkpoints.end()
         progress.written = write_files(progress, self.bias, self.output, self.copies, self.earlier)
         return progress
 
@@ -188,9 +187,11 @@ class _Run:
 
     def resume(self) -> None:
         """Goes on from the checkpoint in the folder. Raises NppgError."""
-        path, progress = self.output / CHECKPOINT, self.progress
-        saved = checkpoints.read(path, self.bias)
-        checkpoints.check(path, saved, self.settings, saved["count"])
+        progress = self.progress
+        found = checkpoints.last(self.output, self.bias)
+        checkpoints.check(found, self.settings)
+        checkpoints.tell_versions(found)
+        saved = found.run
 
         def go_on() -> None:
             self.learning.resume(saved["learning"])
@@ -199,7 +200,8 @@ class _Run:
                 setattr(progress, name, value)
             progress.seconds = saved["seconds"]
 
-        checkpoints.resumed(path, go_on)
+        checkpoints.resumed(found.path, go_on)
+        self.checkpoints.has_good = found.path.name == CHECKPOINT
         domain = progress.policy.domain
         if isinstance(domain, GymDomain) and not domain.comes_back():
             message = "leads elsewhere when it is reset to the same seed, so the run does not go on as it would have"

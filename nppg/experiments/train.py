@@ -13,7 +13,6 @@ from nppg.experiments.learners import options_of
 from nppg.experiments.run_files import settings
 from nppg.learning.options import Common, Options
 from nppg.learning.training import Iteration, Training
-from nppg.policy.copies import CHECKPOINT
 from nppg.policy.policy import Policy
 from nppg.rrl.options import RIBOptions, TGOptions, TrendiOptions
 from nppg.rrl.training import QLearning
@@ -68,9 +67,8 @@ def train(
     options = options_of(bias) if options is None else options
     learning = learning_of(domain, bias, options, jobs)
     if resume is not None:
-        path = Path(resume) / CHECKPOINT
-        saved = checkpoints.read(path, bias)
-        own = settings(domain, bias, options)
-        checkpoints.check(path, {"settings": {name: saved["settings"][name] for name in own}}, own, saved["count"])
-        checkpoints.resumed(path, lambda: learning.resume(saved["learning"]))
+        found = checkpoints.last(Path(resume), bias)
+        checkpoints.check(found, settings(domain, bias, options))
+        checkpoints.tell_versions(found)
+        checkpoints.resumed(found.path, lambda: learning.resume(found.run["learning"]))
     return learning.iterations(is_over)

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from nppg.answers.table import Table
+from nppg.bridge.prolog import exclusively
 from nppg.policy.gibbs import best, gibbs
 from nppg.policy.policy import Policy
 from nppg.rrl.options import QOptions
@@ -54,6 +55,7 @@ class Regressor(Protocol):
         """Goes on with that, in place of having learned nothing."""
 
 
+@exclusively("answers", "potentials_of")
 class QFunction(Policy):
     """Explores by its Q while it learns, and is greedy elsewhere."""
 

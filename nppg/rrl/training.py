@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
+from nppg.bridge.plain import number
 from nppg.learning.episode import Episode, Expert
 from nppg.learning.rollouts import training_episodes
 from nppg.learning.training import Iteration
@@ -23,7 +24,7 @@ def examples(episode: Episode, policy: QFunction) -> list[Example]:
     following = float(policy.potentials(episode.last, episode.open).max()) if episode.open else 0.0
     found = []
     for step in reversed(episode.steps):
-        value = step.reward + policy.options.discount * following
+        value = number("the target", step.reward + policy.options.discount * following)
         found.append(Example(step.state, step.actions[step.chosen], step.answers[step.chosen], value))
         following = float(step.potentials.max())
     return found

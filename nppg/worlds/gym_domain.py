@@ -19,10 +19,11 @@ import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.interrupts import heed_interrupt
+from nppg.bridge.plain import named
 from nppg.bridge.terms import Compound, plain
 from nppg.errors import NppgError, Problem
 from nppg.worlds import gym_values
-from nppg.worlds.domain import Domain, named
+from nppg.worlds.domain import Domain
 from nppg.worlds.gym_files import bias_text, domain_text
 from nppg.worlds.gym_make import Made, make, told
 from nppg.worlds.state import Interpretation
