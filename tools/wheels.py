@@ -39,15 +39,15 @@ class Failed(Exception):
 
 def main(pythons: list[str]) -> None:
     """Writes the wheels. Raises Failed."""
+    if not sys.platform.startswith("linux"):
+        raise Failed("wheels with SWI-Prolog inside are made on Linux alone")
     requirement, version = bundled()
     swipl, home, library, arch = prolog()
     shutil.rmtree(WORK, ignore_errors=True)
     WORK.mkdir(parents=True)
-    DIST.mkdir(exist_ok=True)
-    for old in (*DIST.glob("nppg-*.whl"), *DIST.glob("janus_swi-*.whl")):
-        old.unlink()
+    done = WORK / "done"
     say("nppg's own wheel")
-    run(sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "-w", DIST, ROOT)
+    run(sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "-w", done, ROOT)
     for python in pythons or list(found_pythons()):
         say(f"janus-swi with SWI-Prolog inside, for {python}")
         built = janus(python, requirement.split("+")[0], swipl, library.parent)
@@ -57,9 +57,13 @@ def main(pythons: list[str]) -> None:
         run(tool("auditwheel"), "repair", "-w", repaired, packed(content, WORK / "plain"))
         final = unpacked(next(repaired.glob("*.whl")))
         licensed(final, home, library)
-        packed(final, DIST)
-    for wheel in sorted(DIST.glob("*.whl")):
-        say(f"dist/{wheel.name}, {wheel.stat().st_size / 1e6:.1f} MB")
+        packed(final, done)
+    DIST.mkdir(exist_ok=True)
+    for old in (*DIST.glob("nppg-*.whl"), *DIST.glob("janus_swi-*+bundled-*.whl")):
+        old.unlink()
+    for wheel in sorted(done.glob("*.whl")):
+        shutil.move(wheel, DIST / wheel.name)
+        say(f"dist/{wheel.name}, {(DIST / wheel.name).stat().st_size / 1e6:.1f} MB")
 
 
 def bundled() -> tuple[str, str]:
@@ -78,15 +82,13 @@ def prolog() -> tuple[str, Path, Path, str]:
     swipl = os.environ.get("SWIPL") or (noted and noted[1]) or "swipl"
     if swipl.endswith(".whl"):
         raise Failed(f"this checkout was set up from {swipl}: have ./setup take a SWI-Prolog with SWIPL=/path/to/swipl")
-    try:
-        said = run(swipl, "--dump-runtime-variables")
-    except OSError as error:
-        raise Failed(f"{swipl} does not run: {error.strerror}; run ./setup first") from None
+    if shutil.which(swipl) is None:
+        raise Failed(f"there is no {swipl}: run ./setup first, or set SWIPL=/path/to/swipl")
+    said = run(swipl, "--dump-runtime-variables")
     variables = dict(re.findall(r'^(\w+)="(.*)";', said, re.MULTILINE))
-    library = Path(variables["PLLIBSWIPL"]).resolve()
-    home = Path(variables["PLBASE"]).resolve()
-    if not (home / "boot.prc").is_file():
-        raise Failed(f"the SWI-Prolog {swipl} has no boot.prc in {home}")
+    library, home = (Path(variables.get(name, "")).resolve() for name in ("PLLIBSWIPL", "PLBASE"))
+    if not (home / "boot.prc").is_file() or not library.is_file():
+        raise Failed(f"{swipl} has no boot.prc in its home, or no shared library")
     return swipl, home, library, variables["PLARCH"]
 
 
@@ -250,7 +252,10 @@ def run(*command: object, **environment: str) -> str:
     """What a command prints. Raises Failed with the end of what it said."""
     words = [str(word) for word in command]
     variables = {**os.environ, "PATH": PATH, **environment}
-    done = subprocess.run(words, env=variables, capture_output=True, text=True, errors="replace", check=False)
+    try:
+        done = subprocess.run(words, env=variables, capture_output=True, text=True, errors="replace", check=False)
+    except OSError as error:
+        raise Failed(f"{words[0]} does not run: {error.strerror}") from None
     if done.returncode:
         said = (done.stderr or done.stdout)[-800:].strip()
         raise Failed(f"{' '.join(words[:4])} ... ended with status {done.returncode}: {said}")
