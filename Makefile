@@ -1,5 +1,5 @@
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test lint soak bench clean
+.PHONY: help setup demo test lint soak bench wheels docs clean
 bin := .venv/bin
 
 help:   ## list these targets
@@ -30,6 +30,15 @@ soak: setup  ## what takes minutes to show: runs that are killed, interrupted, d
 
 bench: setup  ## the speed table of docs/performance.md
 	$(bin)/python -m benchmarks
+
+wheels: setup  ## in dist/: nppg, and janus-swi with SWI-Prolog inside for the Pythons on PATH, or for PYTHONS="..."
+	$(bin)/python -m pip install -q -e '.[wheels]'
+	$(bin)/python tools/wheels.py $(PYTHONS)
+	$(bin)/pytest -q tests/test_wheels.py
+
+docs: setup  ## the pages as a site in build/site; a dead link ends it
+	$(bin)/python -m pip install -q -e '.[docs]'
+	$(bin)/mkdocs build
 
 clean:  ## remove runs and caches, keep the set-up
 	rm -rf runs build dist .coverage .hypothesis .mypy_cache .pytest_cache .ruff_cache .import_linter_cache

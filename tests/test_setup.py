@@ -1,5 +1,7 @@
 """./setup, run in folders of its own on machines of stubs: no network, no compiler, no package manager, no root."""
 
+import platform
+import re
 import shutil
 import subprocess
 from dataclasses import dataclass
@@ -8,7 +10,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parent.parent
-TOOLS = "basename cat cksum cp cut dirname env flock grep head mkdir mv rm sed sh tail tar tr"
+TOOLS = "basename cat cksum cp cut dirname env flock grep head mkdir mv rm sed sh tail tar tr uname"
 SWIPL = """
 case "$*" in *runtime*) ;; *) exit 0 ;; esac
 cat <<END
@@ -62,6 +64,12 @@ class Machine:
         assert result.stderr.startswith("setup: ") and result.stderr.count("\n") == 1, result.stderr
         assert not (self.project / ".venv" / "setup.stamp").exists()
         return result.stderr
+
+    def bundled_version(self) -> str:
+        """The version of the wheels with Prolog inside, as pyproject.toml has it."""
+        found = re.search(r'^bundled = \["janus-swi==(.*)"\]$', (ROOT / "pyproject.toml").read_text(), re.MULTILINE)
+        assert found
+        return found[1]
 
     def installed(self) -> list[str]:
         """What pip was asked for since the last call."""
@@ -128,11 +136,46 @@ def test_only_what_has_changed_is_done_again(machine: Machine) -> None:
     assert machine.installed() == ["janus-swi", ".[all]"]
 
 
+def test_the_extras_once_named_are_remembered(machine: Machine) -> None:
+    assert machine.setup(EXTRAS="").returncode == 0
+    assert machine.installed() == ["janus-swi", "."]
+    assert "nothing to do" in machine.setup().stdout
+    assert machine.setup(EXTRAS="all").returncode == 0
+    assert machine.installed() == [".[all]"]
+
+
 def test_the_swipl_once_named_is_remembered(machine: Machine) -> None:
     named = machine.base / "named"
     shutil.move(machine.base / "bin" / "swipl", named)
     assert machine.setup(SWIPL=str(named)).returncode == 0
     assert f"nothing to do (Python 3.11.2, {named})" in machine.setup().stdout
+
+
+def test_a_wheel_with_prolog_inside_needs_neither_swipl_nor_compiler(machine: Machine) -> None:
+    version = machine.bundled_version()
+    folder = machine.base / "wheels"
+    folder.mkdir()
+    for name in ("swipl", "cc"):
+        (machine.base / "bin" / name).unlink()
+    for name in ("1.0", f"{version}-cp310"):
+        (folder / f"janus_swi-{name}-cp310-manylinux_2_34_{platform.machine()}.whl").touch()
+    assert "SWI-Prolog 9.1.12 or newer is missing" in machine.refusal(PIP_FIND_LINKS=str(folder))
+    wheel = folder / f"janus_swi-{version}-cp311-cp311-manylinux_2_34_{platform.machine()}.whl"
+    wheel.touch()
+    assert machine.setup(PIP_FIND_LINKS=f"/nowhere {folder}").returncode == 0
+    assert machine.installed() == [str(wheel), ".[all]"]
+    assert f"nothing to do (Python 3.11.2, {wheel})" in machine.setup().stdout
+    wheel.write_text("another one")
+    assert machine.setup().returncode == 0
+    assert machine.installed() == [str(wheel), ".[all]"]
+
+
+def test_a_wheel_does_not_take_the_place_of_the_swipl_in_use(machine: Machine) -> None:
+    machine.setup()
+    (machine.project / "dist").mkdir()
+    name = f"janus_swi-{machine.bundled_version()}-cp311-cp311-manylinux_2_34_{platform.machine()}.whl"
+    (machine.project / "dist" / name).touch()
+    assert f"nothing to do (Python 3.11.2, {machine.base}/bin/swipl)" in machine.setup().stdout
 
 
 def test_no_network_is_one_line_and_leaves_nothing_to_trust(machine: Machine) -> None:

@@ -40,6 +40,17 @@ def doctor() -> list[Check]:
     return list(_checks())
 
 
+def versions() -> str:
+    """nppg's version, and those of what it runs on, a line each; Prolog is not started."""
+    try:
+        linked = prolog_home.linked()
+        prolog = f"{_dotted(linked.version)}{', inside janus-swi' if linked.bundled else ''}"
+    except (ImportError, OSError):
+        prolog = "cannot be loaded: see nppg doctor"
+    python = sys.version.split()[0]
+    return f"nppg {_version('nppg')}\njanus-swi {_version('janus-swi')}\nSWI-Prolog {prolog}\nPython {python}"
+
+
 def report(checks: list[Check]) -> str:
     """The checks as lines of text, the mends below what they mend, a summary last."""
     lines = []
@@ -108,6 +119,9 @@ def _libswipl(linked: prolog_home.Linked) -> Check:
 
 def _home(linked: prolog_home.Linked) -> Check:
     name = "home of Prolog"
+    if linked.bundled:
+        found = linked.home is not None
+        return Check(name, found, f"{linked.home}, inside janus-swi's wheel", "" if found else _rebuild())
     if chosen := os.environ.get("SWI_HOME_DIR"):
         same = linked.home is not None and os.path.realpath(chosen) == os.path.realpath(linked.home)
         if same or (linked.home is None and Path(chosen, "boot.prc").is_file()):

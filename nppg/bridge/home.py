@@ -29,6 +29,11 @@ class Linked:
     version: tuple[int, int, int]
     home: Path | None
 
+    @property
+    def bundled(self) -> bool:
+        """Whether it has come inside janus-swi's own wheel, which keeps to it whatever SWI_HOME_DIR says."""
+        return self.extension.resolve().parent in self.library.parents
+
 
 class _Symbol(ctypes.Structure):
     """Dl_info of dlfcn.h."""

@@ -7,14 +7,16 @@ import os
 import sys
 from collections.abc import Sequence
 from importlib import import_module
-from importlib.metadata import version
+from typing import Any
 
+from nppg.bridge.doctor import versions
 from nppg.cli.arguments import Parser, warnings_told
 from nppg.cli.isolating import bound, is_isolated, isolated
 from nppg.errors import NppgError, suggestion
 
 VERBS = {
     "doctor": "look whether everything that nppg needs is there",
+    "domains": "list the domains that come with nppg",
     "new": "write a commented domain and language bias to start from",
     "import": "write a domain, its language bias and its problems from PDDL",
     "convert": "write a data set of ACE or Aleph as nppg has it",
@@ -33,6 +35,7 @@ VERBS = {
     "curves": "draw the learning curves of several runs in one picture",
     "report": "write one page of HTML about runs: rules, curves, trees, episodes",
     "reproduce": "do an experiment of the paper: its runs, its figure, a report",
+    "completion": "print what makes a shell complete nppg's commands and options",
 }
 _ABOUT = "Learn to act in structured worlds by non-parametric policy gradients, and read what was learned as rules."
 
@@ -48,6 +51,9 @@ def run(arguments: Sequence[str]) -> int:
 
 def _run(arguments: Sequence[str]) -> int:
     name, *rest = arguments or ["--help"]
+    if name == "--version":
+        print(versions())
+        return 0
     if name.startswith("-"):
         _overview().parse_args([name])
         raise NppgError(f"{name} is no option of nppg: see nppg --help")
@@ -57,15 +63,26 @@ def _run(arguments: Sequence[str]) -> int:
         bound()
     elif "--isolate" in rest:
         return isolated(arguments)
-    verb = import_module(f"nppg.cli.{name}")
-    parser = Parser(prog=f"nppg {name}", description=f"{VERBS[name].capitalize()}.", allow_abbrev=False)
-    verb.add_arguments(parser)
+    verb, parser = parser_of(name)
     options = parser.parse_args(rest, argparse.Namespace(arguments=arguments))
     if getattr(options, "trust", False):
         os.environ["NPPG_TRUST"] = "1"  # for the processes, too, that the command starts
     with warnings_told():
         status: int = verb.run(options)
     return status
+
+
+def parser_of(name: str) -> tuple[Any, Parser]:
+    """A verb's module, and what reads its arguments."""
+    verb = import_module(f"nppg.cli.{name}")
+    parser = Parser(prog=f"nppg {name}", description=f"{sentence(VERBS[name])}.", allow_abbrev=False)
+    verb.add_arguments(parser)
+    return verb, parser
+
+
+def sentence(what: str) -> str:
+    """With a capital at its beginning, and the others left."""
+    return what[:1].upper() + what[1:]
 
 
 def _overview() -> Parser:
@@ -78,5 +95,5 @@ def _overview() -> Parser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
         allow_abbrev=False,
     )
-    parser.add_argument("--version", action="version", version=f"nppg {version('nppg')}")
+    parser.add_argument("--version", action="store_true", help="tell the versions of nppg, of Prolog and of the bridge")
     return parser
