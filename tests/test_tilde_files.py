@@ -86,7 +86,7 @@ def test_numbers_and_patterns(tmp_path):
     models = "begin(model(m1)). q(2.5). holds(a). end(model(m1)). begin(model(m2)). holds(b). q(-1). end(model(m2))."
     task = read_task([write(tmp_path, s=settings, kb=models)])
     assert [each.target for each in task.examples] == [2.5, -1]
-    assert (task.settings.mode, task.settings.significance) == ("regress", 0.1)
+    assert (task.settings.mode, task.settings.significance, task.target) == ("regress", 0.1, "q")
     several = "predict(q(+k, -a, -b)). tilde_mode(regress). rmode(p(+))."
     task = read_task([write(tmp_path / "several", s=several, kb="q(x, 1, 2.5). p(x). q(y, 3, 4).")])
     assert [(each.key, each.target) for each in task.examples] == [(("x",), (1, 2.5)), (("y",), (3, 4))]
@@ -126,7 +126,10 @@ def test_thresholds(tmp_path, how, limits):
 def test_several_literals_and_any_type(tmp_path):
     settings = "predict(heavy(+B, -C)). rmode((holds(+B, -T), made_of(T, #[iron]))). rmode(+X = +Y). rmode(+X =< #)."
     task = read_task([keyed(tmp_path, settings)])
-    assert modes(task) == ["holds(+_, -_)", "equal(+_, +_)", "+_ =< #"]
+    assert modes(task) == ["holds(+_, -_)", "equal(+_, +_)"]
+    assert told(task) == [
+        (1, "rmode(+A=<#) is left out: numbers alone can be compared: say of which type, type(number =< number)")
+    ]
     (template,) = task.bias.lookaheads
     assert template.followers == (Follower("made_of", (1, Argument("#", "_", ("iron",)))),)
 
@@ -238,6 +241,15 @@ def test_names_that_are_operators(tmp_path):
     task = read_task([write(tmp_path, s=settings, kb=kb, bg="table(X, Y) :- table(X), Y = 1.")])
     assert told(task) == [(1, "what the file says of number/1 is left out: it is Prolog's own")]
     assert len(Learner(task).coverage.table) == 4
+
+
+def test_comparisons_are_tested(tmp_path):
+    settings = KEYED_SETTINGS + "rmode((weight(+T, -W), W < #[4, 8])).\nrmode(weight(+T, -W)).\n"
+    settings += "type(number >= number).\nrmode(+W >= #[7]).\nrmode(+W >= #).\n"
+    task = read_task([keyed(tmp_path, settings)])
+    assert task.bias.lookaheads[-1].followers == (Follower("<", (1, Argument("#", "_", (4, 8)))),)
+    assert modes(task)[2:] == ["weight(+thing, -number)", "+number >= #", "+number >= #"] and told(task) == []
+    Learner(task)
 
 
 def test_files_that_are_loaded(tmp_path):

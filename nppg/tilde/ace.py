@@ -64,7 +64,9 @@ def read_ace(settings: Path, knowledge: Sequence[Path]) -> Task:
     theirs = {indicator(fact) for each in examples for fact in each.facts}
     base = background(shared, asked, left_out, theirs)
     if models or given.load in ("models", "examples"):
-        template, target, classes = Template("example", ()), "class", tuple(map(told, given.classes))
+        pattern, _ = _pattern(given)
+        target = "class" if pattern is None else indicator(pattern)[0]
+        template, classes = Template("example", ()), tuple(map(told, given.classes))
         facts = base.facts
     else:
         predicted = _Predicted(given, types, settings)

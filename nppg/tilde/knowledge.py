@@ -60,7 +60,8 @@ class Knowledge:
                 header.append(f":- {kind}(/({written(name)}, {each[1]})).")
                 links += [_link(each, name)] if apart else []
         header += [f":- discontiguous(/({written(name)}, {arity}))." for name, arity in sorted(by_clauses)]
-        self.missing = {*known} - {*given} - by_clauses  # those that the task has nothing of
+        lacking = {*known} - {*given} - by_clauses
+        self.missing = lacking - _pure(lacking)  # those that the task has nothing of
         header += [f":- fluent(/({written(name)}, {arity}))." for name, arity in sorted(self.missing)]
         self.domain = self._load(" ".join(header) + " " + task.background + "\n" + "\n".join(links) + "\n")
         self._static = Static(dict.fromkeys(self._renamed("static", task.facts)))
@@ -94,8 +95,7 @@ class Knowledge:
     def predicates(self) -> set[Indicator]:
         """All that a test may be about: what is given, and what Prolog has that only looks at its arguments."""
         found = {*self.domain.predicates, *self.domain.fluents, *self.domain.static}
-        others = [list(each) for each in self.asked(self.task.bias) if each not in found]
-        found |= {(name, arity) for name, arity in ask("harmless_built_in", others)}
+        found |= _pure({*self.asked(self.task.bias)} - found)
         return found - {(name, own[1]) for (_, own), name in self._names.items() if name != own[0]}
 
     @staticmethod
@@ -164,6 +164,11 @@ class Knowledge:
             examples = [each for each in self.task.examples if each.facts] or [Example()]
             values = {answer[place] for each in examples for answer in self.solutions(name, arity, each)}
         return tuple(constant(each) for each in sorted(values, key=standard_order) if not isinstance(each, tuple))
+
+
+def _pure(predicates: Iterable[Indicator]) -> set[Indicator]:
+    """Those that Prolog has and that only look at their arguments."""
+    return {(name, arity) for name, arity in ask("harmless_built_in", [list(each) for each in sorted(predicates)])}
 
 
 def _defined(background: str) -> set[Indicator]:

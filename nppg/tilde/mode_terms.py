@@ -102,6 +102,9 @@ class Language:
         names = {indicator(each)[0] for each in literals} & {"\\+", "not", ";", "->"}
         if names:
             raise Unsupported(f"{names.pop()} is not tested")
+        if indicator(first) in _BOUNDS and self.types.get(indicator(first), (own_type(arguments(first)[0]),))[0] == ANY:
+            sign = indicator(first)[0]
+            raise Unsupported(f"numbers alone can be compared: say of which type, type(number {sign} number)")
         if indicator(first) in _BOUNDS and arguments(first)[1] == "#":
             name, (bounded, _) = indicator(first)[0], arguments(first)
             type_ = self.types.get(indicator(first), (own_type(bounded),))[0]
