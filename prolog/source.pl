@@ -7,6 +7,7 @@
 :- use_module(library(lists), [append/3, member/2, memberchk/2]).
 :- use_module(library(modules), [in_temporary_module/3]).
 :- use_module(allowed, [kind/2]).
+:- use_module(formula, [must_be_test/2]).
 :- use_module(report, [explanation/2]).
 :- use_module(safety, [clause_doubts/2, refusal/2]).
 :- use_module(terms, [encode/2, encode_flat/2]).
@@ -183,9 +184,13 @@ built_in(Indicators, Those) :-
 
 %!  pure_ones(+Indicators, -Those) is det.
 %
-%   Those of the predicates [Name, Arity] that Prolog has and every program may ask.
+%   Those of the predicates [Name, Arity] that Prolog has and a test may ask.
 
 pure_ones(Indicators, Those) :-
     findall([Name, Arity],
-            ( member([Name, Arity], Indicators), functor(Head, Name, Arity), kind(Head, Kind), Kind == pure ),
+            ( member([Name, Arity], Indicators),
+              functor(Head, Name, Arity),
+              kind(Head, Kind),
+              Kind \== other,
+              catch(must_be_test(Head, nppg_unloaded), nppg_refused(_, _), fail) ),
             Those).

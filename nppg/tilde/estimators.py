@@ -71,6 +71,12 @@ class Estimator:
         self.learning_rate = learning_rate
         self.random_state = random_state
 
+    @classmethod
+    def of(cls, task: Task) -> Self:
+        """With the language, the knowledge and the settings of a task; to be fitted to `task.examples`."""
+        given = {name: getattr(task.settings, name) for name in SETTINGS if name != "mode"}
+        return cls(task.bias, task.background, task.facts, **given)
+
     def get_params(self, deep: bool = True) -> dict[str, Any]:
         """The arguments that it was made with, by name."""
         return {name: getattr(self, name) for name in _PARAMETERS}

@@ -102,6 +102,11 @@ class Task:
     left_out: tuple[Problem, ...] = ()  # what of the file could not be carried over, each with its place
 
     @property
+    def targets(self) -> list[Target | None]:
+        """Of the examples, in order."""
+        return [each.target for each in self.examples]
+
+    @property
     def template(self) -> str:
         """The example as a literal is written: dmuta(mol)."""
         return str(self.bias.actions[0])

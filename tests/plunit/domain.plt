@@ -61,6 +61,14 @@ test(objects, Objects == [c1, c2]) :-
     ferry(M), at(Facts),
     interpret(M, Facts),
     objects(M, waiting, Objects).
+test(extension, Answers == [[c1], [c2]]) :-
+    ferry(M), at(Facts),
+    interpret(M, Facts),
+    extension(M, waiting, 1, Answers0),
+    msort(Answers0, Answers).
+test(extension_of_what_is_no_test, throws(_)) :-
+    ferry(M),
+    extension(M, shell, 1, _).
 test(binding, Values == [left]) :-
     ferry(M), at(Facts),
     interpret(M, Facts),
