@@ -51,6 +51,8 @@ def instance(test: Query, names: Mapping[Var, object], own: LanguageBias, bias: 
     theta, _ = solve_equalities(test, len(own.roots))
 
     def named(term: Term) -> object:
+        if isinstance(term, float):
+            return f"{term:.4g}"
         return names.get(term, letter(term.index)) if isinstance(term, Var) else written(term)
 
     said = []
