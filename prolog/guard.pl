@@ -130,8 +130,9 @@ look(Engine, Looked) :-
     flag(nppg_looked, Looked, Looked),
     catch(thread_signal(Engine, nppg_guard:overdue), _, true).
 
-%   Stops the call of domain code that has been going on for too long: three seconds for a million inferences that it has.
-%   It is looked at twice a second.
+%   Stops the call of domain code that has been going on for too long: three seconds for a million inferences that it has,
+%   and is so far from these that it would take a minute: as one that waits, or works at enormous numbers. What else computes
+%   comes to its inferences, on a busy machine later. It is looked at twice a second.
 
 overdue :-
     flag(nppg_looked, Looked, Looked+1),
@@ -143,7 +144,9 @@ overdue :-
         ),
         nb_setval(nppg_overdue, Before-Ticks),
         Seconds is max(3, 3*Limit//1 000 000),
-        (   Ticks > 2*Seconds
+        statistics(inferences, Inferences),
+        (   Ticks > 2*Seconds,
+            120*(Inferences-Before) < Limit*Ticks
         ->  stop_for(nppg_fault(Predicate, seconds(Seconds))),
             abort
         ;   true

@@ -48,7 +48,7 @@ load_domain(File, Parameters, Trust, Module, Description) :-
         Load = guarding(Folder, load(File, Module))
     ),
     reading(Module, Name, File, Parameters, reading_used(Module, File, Load), Heard, Refused0),
-    findall(Problem, unguarded(Problem), Refused, Refused0),
+    findall(Problem, ( Trust \== true, unguarded(Problem) ), Refused, Refused0),
     must_be_harmless(Refused, Module),
     add_import_module(Module, nppg_randomness, start),
     add_import_module(Module, nppg_formula, start),

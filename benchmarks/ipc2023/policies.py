@@ -13,7 +13,7 @@ from pathlib import Path
 
 from benchmarks.ipc2023.processes import TIME, Ended, run
 from benchmarks.ipc2023.results import Line
-from benchmarks.ipc2023.tasks import LEVELS, SOLVED, Setting
+from benchmarks.ipc2023.tasks import SOLVED, Setting, Task
 from nppg.errors import NppgError
 from nppg.experiments import checkpoints
 
@@ -79,19 +79,18 @@ def distill(setting: Setting, domain: str, seed: int) -> None:
 def act(setting: Setting, part: str, domain: str, seed: int) -> None:
     """Has the policy, or its rules, act on each problem that has no result yet."""
     folder = setting.folder(domain, seed)
-    for task in (task for level in LEVELS for task in setting.tasks(domain, level)):
-        key = {"part": part, **task.name, "seed": seed}
-        if setting.results.has(**key) or not (folder / MODELS[part]).exists():
-            continue
-        limits = {"limit": setting.seconds, "gigabytes": setting.gigabytes}
-        how = _SEARCH.get(part, ("--horizon-factor", "2", *_ACTS))
-        command = _nppg("evaluate", MODELS[part], "--json", "--seconds", str(setting.seconds), *how)
+    how = _SEARCH.get(part, ("--horizon-factor", "2", *_ACTS))
+    command = _nppg("evaluate", MODELS[part], "--json", "--seconds", str(setting.seconds), *how)
+
+    def attempt(task: Task, key: Line) -> Line | None:
         done = run([*command, "--problems", str(task.path)], folder, setting.seconds + 5, setting.gigabytes)
         if done.is_mistaken:
             _tell(key, done)
-            continue
-        line = setting.results.add({**key, **attempted(done, setting.seconds), **limits})
-        print(*key.values(), line["ended"], line["cost"], line["seconds"], line["processor"], flush=True)
+            return None
+        return attempted(done, setting.seconds)
+
+    if (folder / MODELS[part]).exists():
+        setting.attempt_all(part, domain, attempt, seed=seed)
 
 
 def attempted(done: Ended, seconds: int) -> Line:
