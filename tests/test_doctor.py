@@ -16,6 +16,11 @@ ROOT = Path(__file__).parent.parent
 PROBE = "import janus_swi; print(janus_swi.query_once('X is 6*7')['X'])"
 
 
+by_home = pytest.mark.skipif(
+    prolog_home.linked().bundled, reason="janus-swi with SWI-Prolog inside keeps to it: tests/test_wheels.py"
+)
+
+
 def python(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
     inherited = {name: value for name, value in os.environ.items() if name != "SWI_HOME_DIR"}
     return subprocess.run(
@@ -50,6 +55,7 @@ def test_the_home_belongs_to_the_library() -> None:
     assert "libswipl" in linked.library.name and linked.extension.is_file()
 
 
+@by_home
 def test_another_swipl_on_path_aborts_janus_but_not_after_prepare(other_swipl: str) -> None:
     assert python("-c", PROBE, PATH=other_swipl).returncode < 0
     prepared = python("-c", f"from nppg.bridge.home import prepare; prepare(); {PROBE}", PATH=other_swipl)
@@ -71,6 +77,7 @@ def test_another_swipl_on_path_is_told(tmp_path: Path) -> None:
     assert finding(result.stdout, "swipl on PATH").endswith(f"9.0.4, {swipl}, not the one that nppg uses")
 
 
+@by_home
 def test_a_wrong_home_is_reported_instead_of_an_abort(tmp_path: Path) -> None:
     result = python("-m", "nppg.bridge.doctor", SWI_HOME_DIR=str(tmp_path))
     assert result.returncode == 2
