@@ -1,5 +1,5 @@
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test lint bench clean
+.PHONY: help setup demo test lint soak bench clean
 bin := .venv/bin
 
 help:   ## list these targets
@@ -23,6 +23,10 @@ lint: setup  ## style, types, and the walls between the rooms of nppg/
 
 test: lint  ## what lint does, then every test, on all cores
 	$(bin)/pytest -q -n auto --dist worksteal
+
+soak: setup  ## what takes minutes to show: runs that are killed, interrupted, damaged; a million steps
+	NPPG_SOAK=200 $(bin)/pytest -q -n auto --dist worksteal tests/test_disk.py tests/test_seals.py tests/test_run_machine.py
+	NPPG_SOAK=200 $(bin)/pytest -q -s tests/test_soak.py
 
 bench: setup  ## the speed table of docs/performance.md
 	$(bin)/python -m benchmarks

@@ -3,9 +3,7 @@
 The names below are the public interface; they are loaded, and Prolog with them, when they are first used.
 """
 
-from importlib import import_module
-from typing import TYPE_CHECKING
-
+TYPE_CHECKING = False  # typing takes time, in which Ctrl-C is not heeded yet: see nppg/__main__.py
 if TYPE_CHECKING:
     from nppg import tilde as tilde
     from nppg.bias.language_bias import LanguageBias as LanguageBias
@@ -60,6 +58,8 @@ __all__ = sorted(_HOME)
 
 
 def __getattr__(name: str) -> object:
+    from importlib import import_module
+
     if name == "__version__":
         return import_module("importlib.metadata").version("nppg")  # which takes long to load
     if name not in _HOME:

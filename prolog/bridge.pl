@@ -8,8 +8,10 @@
 :- use_module(call_graph, [static_predicate/2]).
 :- use_module(contract, [contract/1]).
 :- use_module(domain).
+:- use_module(formula, [must_be_test/2]).
 :- use_module(guard).
 :- use_module(interpretation).
+:- use_module(late, []).
 :- use_module(layout, [layout/4]).
 :- use_module(loading).
 :- use_module(model).
@@ -24,6 +26,7 @@
 :- use_module(states).
 :- use_module(table).
 :- use_module(terms).
+:- use_module(used_files, [used_files/2]).
 
 /** <module> What Python asks
 
@@ -65,8 +68,13 @@ aborted(Question, _) :-
         throw(nppg_problems([-('', 0, 0, Message)]))
     ).
 
-load(File, Parameters, [Module, Description]) :-
-    load_domain(File, Parameters, Module, Description).
+load(File, Parameters, Trust, [Module, Description]) :-
+    load_domain(File, Parameters, Trust, Module, Description).
+
+%!  dictionaries(+Truth, -Nothing) is det: whether the file that is loaded next may have some.
+
+dictionaries(Truth, true) :-
+    nb_setval(nppg_dicts, Truth).
 
 unload(Module, true) :-
     unload_domain(Module).
@@ -107,6 +115,11 @@ taken(Name, Arity, Truth) :-
     ->  Truth = true
     ;   Truth = false
     ).
+
+%!  harmless(+Module, +Indicators, -Nothing) is det: whether a language bias asks only what a test may ask.
+
+harmless(Module, Indicators, true) :-
+    forall(member([Name, Arity], Indicators), ( functor(Head, Name, Arity), must_be_test(Head, Module) )).
 
 drawing(Module, Lines) :-
     picture(Module, Lines).

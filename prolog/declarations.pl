@@ -1,12 +1,15 @@
 :- module(nppg_declarations,
-          [ reading/6,           % +Module, +Name, +File, +Parameters, :Goal, -Problems  det
+          [ reading/7,           % +Module, +Name, +File, +Parameters, :Goal, -Problems, -Refused  det
             heard/1              % +Problem                       det
           ]).
 
 :- use_module(library(lists), [member/2, memberchk/2]).
 :- use_module(contract, [contract/1, declared/2, environment/2]).
+:- use_module(directives, [unqualified/1]).
 :- use_module(guard, []).
 :- use_module(report, [explanation/2]).
+:- use_module(safety, [gate/3, refusal/2, used_file/2]).
+:- use_module(used_files, [used_module/3, using/3]).
 :- use_module(values, [finite/1]).
 
 /** <module> The declarations of a domain file
@@ -18,24 +21,26 @@ what Prolog has to say of the file, are noted with their places.
 */
 
 :- op(1150, fx, user:[fluent, static, interchangeable]).
-:- thread_local loading/3, setting/2, noted/1.
+:- thread_local loading/3, setting/2, noted/1, refused/1.
 
-%!  reading(+Module, +Name, +File, +Parameters, :Goal, -Problems) is det.
+%!  reading(+Module, +Name, +File, +Parameters, :Goal, -Problems, -Refused) is det.
 %
 %   Runs Goal, which loads File, a file of the module Name, as Module. Parameters is a list of lists [Name, Value].
-%   Problems is what was noted, in order.
+%   Problems is what was noted, in order; Refused what a file that is not trusted may not do.
 
-:- meta_predicate reading(+, +, +, +, 0, -).
+:- meta_predicate reading(+, +, +, +, 0, -, -).
 
-reading(Module, Name, File, Parameters, Goal, Problems) :-
+reading(Module, Name, File, Parameters, Goal, Problems, Refused) :-
     retractall(noted(_)),
+    retractall(refused(_)),
     retractall(setting(_, _)),
     forall(member([Key, Value], Parameters), assertz(setting(Key, Value))),
     setup_call_cleanup(
         asserta(loading(Module, Name, File)),
         Goal,
         retractall(loading(_, _, _))),
-    findall(Problem, retract(noted(Problem)), Problems).
+    findall(Problem, retract(noted(Problem)), Problems),
+    findall(Problem, retract(refused(Problem)), Refused).
 
 %!  heard(+Problem) is det.
 %
@@ -47,16 +52,54 @@ heard(Problem) :-
 user:term_expansion(Term, Expansion) :-
     loading(Module, Name, File),
     nonvar(Term),
-    prolog_load_context(source, File),
-    source_location(_, Line),
-    nb_setval(nppg_line, Line),
-    expansion(Term, Module, Name, Expansion).
+    prolog_load_context(source, Source),
+    (   Source == File
+    ->  source_location(_, Line),
+        nb_setval(nppg_line, Line),
+        (   expansion(Term, Module, Name, Expanded)
+        ->  Expansion = Expanded
+        ;   passed(Term, Module, Expansion)
+        )
+    ;   \+ of_prolog(Source),
+        prolog_load_context(module, Other),
+        used_file(Source, Other),
+        (   used_module(Source, Term, [Head|More])
+        ->  (   gated(Head, Other, Refused)
+            ->  Expansion = Refused
+            ;   Expansion = [Head|More]
+            )
+        ;   passed(Term, Other, Expansion)
+        )
+    ).
+
+%   A directive that names a file is about one of the domain's own.
+
+passed(Term, Module, Expansion) :-
+    (   gated(Term, Module, Gated)
+    ->  Expansion = Gated
+    ;   Term = (:- Directive),
+        nonvar(Directive),
+        using(Directive, Module, Goal),
+        Expansion = (:- Goal)
+    ).
+
+%   What a file that is not trusted may not do is left out of it.
+
+gated(Term, Module, Expansion) :-
+    catch(gate(Term, Module, Expansion), nppg_refused(What, _),
+          ( refusal(What, Text), located(wrong, File, Line, Column), assertz(refused(-(File, Line, Column, Text))),
+            Expansion = [] )).
+
+of_prolog(Source) :-
+    current_prolog_flag(home, Home),
+    sub_atom(Source, 0, _, _, Home).
 
 expansion((:- Declaration), Module, Name, Expansion) :-
     !,
     nonvar(Declaration),
     (   Declaration = module(Name, Exports)
-    ->  Expansion = [(:- module(Module, Exports)), (:- nppg_guard:tame(Module)),
+    ->  unqualified(Exports),
+        Expansion = [(:- module(Module, Exports)), (:- nppg_guard:tame(Module)),
                      (:- discontiguous([nppg_fluent/1, nppg_static/1, nppg_interchangeable/1, nppg_environment/1, parameter/2]))]
     ;   declaration(Declaration, Module, Expansion)
     ).
@@ -161,11 +204,24 @@ may_hold(Spec, Kind, Module) :-
     ;   built_in(Spec)
     ->  wrong('~q is built into Prolog and can be no ~w: choose another name'-[Spec, Kind]),
         fail
+    ;   reserved(Spec)
+    ->  wrong('~q is kept by nppg for itself and can be no ~w: choose another name'-[Spec, Kind]),
+        fail
     ;   ( Kind == (static), Other = nppg_fluent(Spec) ; Kind == (fluent), Other = nppg_static(Spec) ),
         declared(Module, Other)
     ->  wrong('~q cannot be both a fluent and static'-[Spec]),
         fail
     ;   true
+    ).
+
+reserved(Name/Arity) :-
+    (   Name/Arity == parameter/2
+    ->  true
+    ;   Name == '[]'
+    ->  true
+    ;   member(Start, [nppg_, $]),
+        sub_atom(Name, 0, _, _, Start)
+    ->  true
     ).
 
 kind_shown((fluent), 'a fluent', 'fluent on/2').

@@ -223,8 +223,10 @@ changes([effect(Probability, Delete, Add)|Effects], Source, Module, Action, [Pro
 reward(Module, Action, Status, Reward) :-
     (   defines(Module, reward/2)
     ->  (   guarded(Module:(reward/2), Module:reward(Action, Given))
-        ->  (   finite(Given)
+        ->  (   finite(Given), abs(Given) =< 1.0e100     % squares of larger ones are no numbers any more
             ->  Reward = Given
+            ;   finite(Given)
+            ->  fault(Module:(reward/2), 'gave ~w, but rewards go up to 1e100, for the action ~w'-[Given, Action])
             ;   fault(Module:(reward/2), 'gave ~w where a finite number is wanted, for the action ~w'-[Given, Action])
             )
         ;   fault(Module:(reward/2), 'failed for the action ~w'-[Action])

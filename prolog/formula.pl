@@ -1,11 +1,14 @@
 :- module(nppg_formula,
           [ holds/1,             % :Formula                      semidet
+            must_be_test/2,      % +Goal, +Module                det
             holds/2              % +Module, +Formula             semidet
           ]).
 
 :- use_module(library(apply), [foldl/4, foldl/5, maplist/3, partition/4]).
 :- use_module(library(error), [must_be/2, domain_error/2]).
 :- use_module(library(lists), [append/2, append/3, member/2, memberchk/2]).
+:- use_module(allowed, []).          % their names are for domains to use, which see what is imported here
+:- use_module(goals, []).
 
 /** <module> Formulas that are data
 
@@ -40,7 +43,34 @@ holds(Module:Formula) :-
 holds(Module, Formula) :-
     must_be(ground, Formula),
     goal(Formula, [], Goal),
+    must_be_tests(Goal, Module),
     \+ \+ Module:Goal.
+
+%   A problem is data: what it names is asked of the domain's own predicates.
+
+must_be_tests(Goal, Module) :-
+    (   ( Goal = (A, B) ; Goal = (A ; B) )
+    ->  must_be_tests(A, Module),
+        must_be_tests(B, Module)
+    ;   Goal = (\+ A)
+    ->  must_be_tests(A, Module)
+    ;   must_be_test(Goal, Module)
+    ).
+
+%!  must_be_test(+Goal, +Module) is det.
+%
+%   @throws nppg_refused(Indicator, Why) where it calls what may do more than look at the state
+
+must_be_test(Goal, Module) :-
+    (   ( nppg_goals:own(Module, Goal) ; looks(Goal) ; \+ nppg_goals:there(Module, Goal) )
+    ->  true
+    ;   functor(Goal, Name, Arity),
+        throw(nppg_refused(Name/Arity, ''))
+    ).
+
+looks(Goal) :-
+    nppg_allowed:kind(Goal, Kind),
+    memberchk(Kind, [pure, special(arithmetic), special(digits)]).
 
 %!  goal(+Formula, +Variables, -Goal) is det.
 %

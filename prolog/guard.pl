@@ -8,6 +8,7 @@
             stopped/1,           % -Fault                    semidet
             stop_for/1,          % +Fault                    det
             tame/1,              % +Module                   det
+            untame/1,            % +Module                   det
             tamed/2              % ?Head, ?Body              nondet
           ]).
 
@@ -20,7 +21,7 @@ A domain's predicate that loops, throws or calls halt/0 is reported with its nam
 and the state in which it happened. `Predicate` is Module:Name/Arity.
 */
 
-:- meta_predicate guarded(+, 0), guarded(+, +, 0), guarded_findall(?, +, 0, -).
+:- meta_predicate guarded(+, 0), guarded(+, +, 0), limited(+, +, +, 0), guarded_findall(?, +, 0, -).
 
 :- dynamic inference_limit/1.
 inference_limit(1 000 000).
@@ -48,6 +49,9 @@ guarded(Predicate, Asked, Goal) :-
     all_facts(Module, Facts),
     Limit is Least*max(100, Asked+Facts)//100,
     statistics(inferences, Before),
+    limited(Predicate, Limit, Before, Goal).
+
+limited(Predicate, Limit, Before, Goal) :-
     (   catch(call_with_inference_limit(Goal, Limit, Result), Error, note_abort(Error, Predicate, Limit, Before))
     ->  true
     ;   Result = failed
@@ -93,6 +97,8 @@ note_abort(Error, Predicate, Limit, Before) :-
     ->  statistics(inferences, After),
         (   After - Before >= Limit
         ->  stop_for(nppg_fault(Predicate, inference_limit(Limit)))
+        ;   stop(nppg_fault(_, seconds(_)))
+        ->  true
         ;   stop_for(nppg_fault(Predicate, 'called abort/0'-[]))
         )
     ;   true
@@ -116,6 +122,38 @@ keeps_limit(Frame) :-
         prolog_frame_attribute(Parent, predicate_indicator, _:call_with_inference_limit/3)
     ).
 
+%!  look(+Engine, -Looked) is det.
+%
+%   Has the thread of that engine look at itself, as soon as it comes by; asked by another one. Looked is how often it has done so.
+
+look(Engine, Looked) :-
+    flag(nppg_looked, Looked, Looked),
+    catch(thread_signal(Engine, nppg_guard:overdue), _, true).
+
+%   Stops the call of domain code that has been going on for too long: three seconds for a million inferences that it has,
+%   and is so far from these that it would take a minute: as one that waits, or works at enormous numbers. What else computes
+%   comes to its inferences, on a busy machine later. It is looked at twice a second.
+
+overdue :-
+    flag(nppg_looked, Looked, Looked+1),
+    prolog_current_frame(Frame),
+    (   prolog_frame_attribute(Frame, parent_goal, nppg_guard:limited(Predicate, Limit, Before, _))
+    ->  (   nb_current(nppg_overdue, Before-Ticks0)
+        ->  Ticks is Ticks0+1
+        ;   Ticks = 1
+        ),
+        nb_setval(nppg_overdue, Before-Ticks),
+        Seconds is max(3, 3*Limit//1 000 000),
+        statistics(inferences, Inferences),
+        (   Ticks > 2*Seconds,
+            120*(Inferences-Before) < Limit*Ticks
+        ->  stop_for(nppg_fault(Predicate, seconds(Seconds))),
+            abort
+        ;   true
+        )
+    ;   true
+    ).
+
 %!  tame(+Module) is det.
 %
 %   Makes halt/0 and halt/1 throw where code of the module calls them, and a cleanup end where one loops.
@@ -127,6 +165,14 @@ tame(Module) :-
              forall(asks(Head, Goals), meta_predicate(Module:Goals)),
              assertz(Module:(Head :- Body)),
              compile_predicates([Module:Name/Arity]) )).
+
+%!  untame(+Module) is det.
+%
+%   Removes these clauses from a module that is dropped, but for halt/0 and halt/1, which Prolog does not let go.
+
+untame(Module) :-
+    forall(( tamed(Head, _), Head \= halt, Head \= halt(_) ),
+           ( functor(Head, Name, Arity), catch(abolish(Module:Name/Arity), _, true) )).
 
 %!  tamed(?Head, ?Body) is nondet.
 %
@@ -180,10 +226,10 @@ ended(Error, Answers, End) :-
 
 refuse_halt :-
     prolog_current_frame(Frame),
-    (   prolog_frame_attribute(Frame, parent_goal, nppg_guard:guarded(Predicate, _, _))
+    (   prolog_frame_attribute(Frame, parent_goal, nppg_guard:limited(Predicate, _, _, _))
     ->  stop_for(nppg_fault(Predicate, 'called halt/0'-[])),
         cancel_halt(nppg)
-    ;   prolog_frame_attribute(Frame, parent_goal, nppg_loading:load_domain(File, _, _, _))
+    ;   prolog_frame_attribute(Frame, parent_goal, nppg_loading:load_domain(File, _, _, _, _))
     ->  stop_for(nppg_problems([-(File, 0, 0, 'loading the file called halt/0')])),
         cancel_halt(nppg)
     ;   true

@@ -1,5 +1,5 @@
 :- module(nppg_loading,
-          [ load_domain/4,       % +File, +Parameters, -Module, -Description  det
+          [ load_domain/5,       % +File, +Parameters, +Trust, -Module, -Description  det
             unload_domain/1,     % +Module                       det
             defines/2            % +Module, ?Indicator           nondet
           ]).
@@ -8,11 +8,14 @@
 :- use_module(contract).
 :- use_module(declarations).
 :- use_module(formula, []).
-:- use_module(guard, [stop_for/1]).
+:- use_module(guard, [stop_for/1, untame/1]).
 :- use_module(call_graph, [static_predicate/2]).
 :- use_module(interpretation, [forget/1, forget_tables/2]).
 :- use_module(randomness, []).
 :- use_module(report, [explanation/2]).
+:- use_module(safety, [forget_files/0, guarding/2, unguarded/1]).
+:- use_module(waiting, []).
+:- use_module(used_files, [reading_used/3, unload_source/1, unload_used/1]).
 
 /** <module> Loading domain files
 
@@ -22,27 +25,37 @@ beside itself.
 
 :- dynamic
     defines/2,                   % Module, Indicator: of the contract's predicates
+    source/2,                    % Module, Id: what Prolog takes for the file that it comes from
     instances/1.
 instances(0).
 
-%!  load_domain(+File, +Parameters, -Module, -Description) is det.
+%!  load_domain(+File, +Parameters, +Trust, -Module, -Description) is det.
 %
-%   Parameters is a list of lists [Name, Value]. Description is a list of lists [Key, Value].
+%   Parameters is a list of lists [Name, Value]. Trust is true where the file may do anything; else see safety.pl.
+%   Description is a list of lists [Key, Value].
 %
 %   @throws nppg_problems(Problems): every mistake that can be found without running the domain
 
-load_domain(File, Parameters, Module, Description) :-
+load_domain(File, Parameters, Trust, Module, Description) :-
     module_name(File, Name),
     retract(instances(Count0)),
     Count is Count0+1,
     assertz(instances(Count)),
     format(atom(Module), '~w#~d', [Name, Count]),
-    reading(Module, Name, File, Parameters, load(File, Module), Heard),
+    (   Trust == true
+    ->  Load = load(File, Module)
+    ;   file_directory_name(File, Folder),
+        Load = guarding(Folder, load(File, Module))
+    ),
+    reading(Module, Name, File, Parameters, reading_used(Module, File, Load), Heard, Refused0),
+    findall(Problem, ( Trust \== true, unguarded(Problem) ), Refused, Refused0),
+    must_be_harmless(Refused, Module),
     add_import_module(Module, nppg_randomness, start),
     add_import_module(Module, nppg_formula, start),
+    add_import_module(Module, nppg_waiting, start),
     (   member(Problem, Heard), syntax_error(Problem)
     ->  Mistakes = []                       % what could not be read would be taken for missing
-    ;   findall(Problem, mistake(Module, File, Parameters, Problem), Mistakes)
+    ;   findall(Problem, ( mistake(Module, File, Parameters, Problem), \+ told(Problem, Heard) ), Mistakes)
     ),
     append(Heard, Mistakes, Problems),
     (   Problems == []
@@ -68,6 +81,21 @@ load_domain(File, Parameters, Module, Description) :-
     ;   true
     ),
     findall([Key, Value], description(Module, Name, Key, Value), Description).
+
+%   The first of the places is told, and how many there are.
+
+must_be_harmless([], _) :-
+    !.
+must_be_harmless(Refused, Module) :-
+    forget_files,
+    unload_domain(Module),
+    sort(Refused, [-(File, Line, Column, Text)|More]),
+    length(More, Count),
+    (   Count == 0
+    ->  Message = Text
+    ;   format(atom(Message), '~w [~D more]', [Text, Count])
+    ),
+    throw(nppg_problems([-(File, Line, Column, Message)])).
 
 tabled(Module, Head) :-
     current_predicate(Module:Name/Arity),
@@ -112,6 +140,7 @@ first_term(In, Term) :-
 
 load(File, Module) :-
     atomic_list_concat([File, Module], '#', Id),
+    assertz(source(Module, Id)),
     nb_setval(nppg_line, 1),
     Limit = 100 000 000,
     statistics(inferences, Before),
@@ -148,13 +177,23 @@ load_problem(File, What, -(File, Line, 0, Text)) :-
     ;   Text = What
     ).
 
+%   There is no fluent because the declaration has been refused.
+
+told(-(_, _, _, Text), Heard) :-
+    sub_atom(Text, 0, _, _, 'no fluent is declared'),
+    member(-(_, _, _, Why), Heard),
+    ( sub_atom(Why, _, _, _, 'can be no fluent') ; sub_atom(Why, 0, _, _, 'a fluent is declared by') ),
+    !.
+
 syntax_error(-(_, _, _, Text)) :-
     sub_atom(Text, 0, _, _, 'Syntax error').
 
 unload_domain(Module) :-
     forget(Module),
     retractall(defines(Module, _)),
-    forall(( source_file(Id), atom_concat(_, Module, Id) ), unload_file(Id)),
+    unload_used(Module),
+    forall(retract(source(Module, Id)), unload_source(Id)),
+    untame(Module),
     forall(( current_predicate(Module:Name/Arity),
              functor(Head, Name, Arity),
              predicate_property(Module:Head, dynamic),

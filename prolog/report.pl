@@ -7,6 +7,7 @@
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/2]).
 :- use_module(library(lists), [append/3, memberchk/2]).
 :- use_module(interpretation).
+:- use_module(safety, [refusal/2]).
 
 /** <module> Telling the user what is wrong
 
@@ -39,6 +40,9 @@ problems(nppg_fault(Predicate, What), [Problem]) :-
         Problem = -(File, Line, 0, Text, Unknown, All)
     ;   Problem = -(File, Line, 0, Text)
     ).
+problems(nppg_refused(What, _), [-('', 0, 0, Text)]) :-
+    !,
+    refusal(What, Text).
 problems(Error, [-('', 0, 0, Text)]) :-
     explanation(Error, Explanation),
     format(atom(Text), 'Prolog: ~w', [Explanation]).
@@ -61,6 +65,9 @@ place(Module:Name/Arity, File, Line) :-
 what(inference_limit(Limit), Text) :-
     !,
     format(atom(Text), 'took more than ~D inferences (does it loop?)', [Limit]).
+what(seconds(Seconds), Text) :-
+    !,
+    format(atom(Text), 'took more than ~D seconds (does it wait, or compute enormous numbers?)', [Seconds]).
 what(Format-Args, Text) :-
     atomic(Format),
     !,
@@ -72,6 +79,10 @@ what(nppg_halt, Text) :-
 what(nppg_unseeded, Text) :-
     !,
     Text = 'drew a random number, which only start/1, effects, reward/2 and observation/1 may,'.
+what(nppg_refused(What, _), Text) :-
+    !,
+    refusal(What, Refusal),
+    atom_concat('was stopped: ', Refusal, Text).
 what(error(resource_error(Resource), _), Text) :-
     !,
     format(atom(Text), 'ran out of ~w (does it recurse without end?)', [Resource]).
@@ -125,12 +136,58 @@ shown(Term, Text) :-
     ).
 
 bounded(Term, Text) :-
-    copy_term(Term, Copy, _),
+    brief(Term, Brief),
+    copy_term(Brief, Copy, _),
     anonymous(Copy),
     format(atom(Whole), '~W', [Copy, [quoted(true), numbervars(true), max_depth(60), cycles(true)]]),
     (   sub_atom(Whole, 0, 600, Rest, Start), Rest > 3
     ->  atom_concat(Start, ' ...', Text)
     ;   Text = Whole
+    ).
+
+%   Term with dots for what is behind its first 1,000 parts, or is a long text or number: it may be of any size, and may
+%   have itself among its parts.
+
+brief(Term, Brief) :-
+    brief(Term, Brief, 1000, _).
+
+brief(Term, Term, Left, Left) :-
+    var(Term),
+    !.
+brief(_, ..., Left, Left) :-
+    Left =< 0,
+    !.
+brief(Term, Brief, Left0, Left) :-
+    compound(Term),
+    !,
+    compound_name_arity(Term, Name, Arity),
+    Kept is min(Arity, Left0),
+    (   Kept =:= Arity
+    ->  compound_name_arity(Brief, Name, Arity)
+    ;   compound_name_arity(Brief, Name, Kept)
+    ),
+    Left1 is Left0-1,
+    brief_arguments(1, Kept, Term, Brief, Left1, Left).
+brief(Term, Brief, Left0, Left) :-
+    Left is Left0-1,
+    (   integer(Term)
+    ->  (   abs(Term) < 1<<4000
+        ->  Brief = Term
+        ;   Brief = ...
+        )
+    ;   ( atom(Term) ; string(Term) ), atom_length(Term, Length), Length > 2000
+    ->  sub_atom(Term, 0, 2000, _, Brief)
+    ;   Brief = Term
+    ).
+
+brief_arguments(I, Arity, Term, Brief, Left0, Left) :-
+    (   I > Arity
+    ->  Left = Left0
+    ;   arg(I, Term, Arg0),
+        arg(I, Brief, Arg),
+        brief(Arg0, Arg, Left0, Left1),
+        Next is I+1,
+        brief_arguments(Next, Arity, Term, Brief, Left1, Left)
     ).
 
 anonymous(Term) :-
@@ -157,7 +214,8 @@ explanation(Message, Line) :-
 
 translated(Message, Text) :-
     (   Message = error(Formal0, _)
-    ->  copy_term(Formal0, Formal, _),
+    ->  brief(Formal0, Formal1),
+        copy_term(Formal1, Formal, _),
         anonymous(Formal),
         Short = error(Formal, _)
     ;   Short = Message

@@ -15,6 +15,7 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, Refiner
 from nppg.bridge import home as prolog_home
 from nppg.bridge.files import locate
+from nppg.bridge.seals import sealed
 from nppg.bridge.terms import Ground
 from nppg.logic.query import OPEN, Query, Var
 from nppg.trees.tree import Leaf, Node, Rule, Tree
@@ -23,6 +24,11 @@ from nppg.worlds.world import Action, State
 
 Values = dict[Var, Ground | None]
 Relations = dict[str, set[tuple[Ground, ...]]]
+
+
+def resigned(path: Path, text: str | bytes) -> None:
+    """Writes what a file of nppg's was changed to, as `nppg sign` would leave it."""
+    path.write_bytes(sealed(text.encode(errors="surrogateescape") if isinstance(text, str) else text))
 
 
 def visited(domain: Domain, count: int, seed: int = 0) -> list[State]:

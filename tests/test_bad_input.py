@@ -12,6 +12,7 @@ from pathlib import Path
 import janus_swi
 import numpy as np
 import pytest
+from samples import resigned
 
 import nppg.bridge.prolog
 from nppg import Domain, LanguageBias, NppgError, Options, Policy, train
@@ -49,12 +50,12 @@ def play(domain: Domain) -> None:
         domain.act(state, action, rng)
 
 
-def problem(folder: Path, source: str | bytes, **parameters: object) -> str:
+def problem(folder: Path, source: str | bytes, trust: bool = False, **parameters: object) -> str:
     """What NppgError says, without the path of the file; every problem must be fit for the user's eyes."""
     file = folder / "walk.pl"
     file.write_bytes(source if isinstance(source, bytes) else source.encode())
     with pytest.raises(NppgError) as caught:
-        play(Domain(file, parameters))
+        play(Domain(file, parameters, trust))
     for each in caught.value.problems:
         assert "#" not in each.message and "\n" not in each.message
         assert not re.search(r"\b_[G\d]\d+|nppg_", each.message), "an internal name"
@@ -135,7 +136,6 @@ LOADING = {
     ),
     "unknown predicate": (text(goal="goal :- att(0).\n"), "9: unknown predicate att/1 (did you mean 'at'?)"),
     "unknown random": (text(goal="goal :- random_beween(1, 2, 3).\n"), "(did you mean 'random_between'?)"),
-    "unknown library": (text(more=":- use_module(library(nonesuch)).\n"), "10: "),
     "no start": (text(start=""), "1: start/1 is missing"),
     "no action": (text(action=""), "1: action/1 is missing"),
     "no effect": (text(effect=""), "1: effect/3 is missing"),
@@ -152,15 +152,6 @@ LOADING = {
     "interchangeable nobody": (text(more=":- interchangeable block/1.\n"), "1: unknown predicate block/1"),
     "singleton": (text(goal="goal :- at(X).\n"), "9: Singleton variables: [X]"),
     "scattered": (text(more="action(up).\n"), "10: Clauses of action/1 are not together"),
-    "directive throws": (text(more=":- throw(oops).\n"), "10: oops"),
-    "directive fails": (text(more=":- fail.\n"), "10: Goal (directive) failed: fail"),
-    "directive halts": (text(more=":- halt.\n"), "10: halt was called, which would end Python"),
-    "directive aborts": (text(more=":- abort.\n"), "10: loading was aborted"),
-    "missing include": (text(more=":- include(nonesuch).\n"), "10: source_sink `nonesuch' does not exist"),
-    "expansion of others": (
-        text(more="user:term_expansion(a, b).\n"),
-        "10: expansion in module user would change other",
-    ),
     "redefinition": (
         text(more="atom_length(a, b).\n"),
         "10: atom_length/2 is built into Prolog and cannot be defined anew: choose another name",
@@ -172,9 +163,29 @@ LOADING = {
 }
 
 
+TRUSTED = {
+    "directive throws": (text(more=":- throw(oops).\n"), "10: oops"),
+    "directive fails": (text(more=":- fail.\n"), "10: Goal (directive) failed: fail"),
+    "directive halts": (text(more=":- halt.\n"), "10: halt was called, which would end Python"),
+    "directive aborts": (text(more=":- abort.\n"), "10: loading was aborted"),
+    "missing include": (text(more=":- include(nonesuch).\n"), "10: source_sink `nonesuch' does not exist"),
+    "unknown library": (text(more=":- use_module(library(nonesuch)).\n"), "10: "),
+    "expansion of others": (
+        text(more="user:term_expansion(a, b).\n"),
+        "10: expansion in module user would change other",
+    ),
+}
+
+
 @pytest.mark.parametrize("source, message", LOADING.values(), ids=LOADING)
 def test_mistakes_in_the_file(tmp_path: Path, source: str | bytes, message: str) -> None:
     assert message in problem(tmp_path, source)
+
+
+@pytest.mark.parametrize("source, message", TRUSTED.values(), ids=TRUSTED)
+def test_mistakes_in_a_file_that_is_trusted(tmp_path: Path, source: str, message: str) -> None:
+    assert message in problem(tmp_path, source, trust=True)
+    assert "--trust" in problem(tmp_path, source)
 
 
 RUNNING = {
@@ -252,7 +263,7 @@ def test_mistakes_of_the_code(tmp_path: Path, changed: dict[str, str], message: 
 
 
 def test_a_directive_that_loops(tmp_path: Path) -> None:
-    said = problem(tmp_path, text(more=":- repeat, fail.\n"))
+    said = problem(tmp_path, text(more=":- repeat, fail.\n"), trust=True)
     assert said == "10: took more than 100,000,000 inferences to load (does a directive loop?)"
 
 
@@ -423,7 +434,7 @@ def test_halt_from_afar_does_not_end_python(tmp_path: Path) -> None:
     (tmp_path / "walk.pl").write_text(text(goal="goal :- system:halt(3).\n"))
     script = (
         "import sys, numpy as np, nppg\n"
-        "domain = nppg.Domain(sys.argv[1])\n"
+        "domain = nppg.Domain(sys.argv[1], trust=True)\n"
         "try: domain.situation(domain.start(np.random.default_rng(0)))\n"
         "except nppg.NppgError as error: print(error)\n"
     )
@@ -536,7 +547,7 @@ def test_models(model: Path, change: object, monkeypatch: pytest.MonkeyPatch) ->
     Policy.load(model)
     changed = change(model.read_text())  # type: ignore[operator]
     assert changed != model.read_text()
-    model.write_text(changed)
+    resigned(model, changed)
     with pytest.raises(NppgError) as caught:
         Policy.load(model)
     assert len(caught.value.problems) == 1 and "nppg_" not in str(caught.value)
@@ -547,7 +558,7 @@ def test_models_that_cannot_be_read(tmp_path: Path, model: Path) -> None:
     for path in (tmp_path, tmp_path / "nonesuch.pl"):
         with pytest.raises(NppgError, match="cannot be read"):
             Policy.load(path)
-    model.write_bytes(b"\xff\xfe" + model.read_bytes())
+    resigned(model, b"\xff\xfe" + model.read_bytes())
     with pytest.raises(NppgError):
         Policy.load(model)
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from samples import resigned
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.cli.main import main
@@ -46,7 +47,7 @@ def walk(folder: Path, slip: str, preference: float) -> Path:
     path = folder / "model.pl"
     policy.save(path)
     text = path.read_text().replace("model(trees, 0)", "model(trees, 1)")
-    path.write_text(f"{text}\ndelta(1, on, {preference}) :- !.\ndelta(1, _, 0.0).\n")
+    resigned(path, f"{text}\ndelta(1, on, {preference}) :- !.\ndelta(1, _, 0.0).\n")
     return path
 
 
@@ -106,6 +107,10 @@ def test_a_certificate_is_confirmed(model: Path, certificate: Path, capsys) -> N
     assert "was proved again, with the same result" in capsys.readouterr().out
 
 
+def claims(certificate: Path) -> dict:
+    return {name: value for name, value in json.loads(certificate.read_text()).items() if name != "sha256"}
+
+
 @pytest.mark.parametrize(("options", "named"), [(["--set", "blocks=4"], "parameters"), (["--stochastic"], "greedy")])
 def test_a_certificate_about_another_policy_is_refused(model, certificate, capsys, options, named) -> None:
     assert main(["prove", str(model), "--check", str(certificate), *options]) == 2
@@ -116,7 +121,8 @@ def test_a_certificate_about_another_policy_is_refused(model, certificate, capsy
 @pytest.mark.parametrize("file", ["model", "domain"])
 def test_a_certificate_about_other_files_is_refused(model: Path, certificate: Path, capsys, file: str) -> None:
     changed = model if file == "model" else model.with_name("blocks_world.pl")
-    changed.write_text(changed.read_text() + "\n")
+    text = changed.read_text() + "\n"
+    resigned(changed, text) if file == "model" else changed.write_text(text)
     assert main(["prove", str(model), "--check", str(certificate)]) == 2
     (line,) = capsys.readouterr().err.splitlines()
     assert line.endswith(f"about: {file}") if file == "model" else "blocks_world.pl" in line
@@ -127,15 +133,15 @@ def test_a_certificate_about_other_files_is_refused(model: Path, certificate: Pa
     [("success", 1.0), ("failures", []), ("starts", 11), ("greedy", False), ("parameters", {}), ("more", 1)],
 )
 def test_changed_claims_are_refused(model: Path, certificate: Path, capsys, name: str, value: object) -> None:
-    certificate.write_text(json.dumps(json.loads(certificate.read_text()) | {name: value}))
+    resigned(certificate, json.dumps(claims(certificate) | {name: value}))
     assert main(["prove", str(model), "--check", str(certificate)]) == 2
     assert capsys.readouterr().err.endswith(f"about: {name}\n")
 
 
 def test_missing_claims_are_refused(model: Path, certificate: Path, capsys) -> None:
-    contents = json.loads(certificate.read_text())
+    contents = claims(certificate)
     for name in contents:
-        certificate.write_text(json.dumps({each: contents[each] for each in contents if each != name}))
+        resigned(certificate, json.dumps({each: contents[each] for each in contents if each != name}))
         assert main(["prove", str(model), "--check", str(certificate)]) == 2
         assert len(capsys.readouterr().err.splitlines()) == 1
 

@@ -34,7 +34,9 @@ def trained(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_train_writes_its_files(trained: Path) -> None:
     names = {each.name for each in trained.iterdir()}
-    assert names == {"model.pl", "curve.csv", "curve.png", "run.json", "blocks_world.pl", "blocks_world.yaml"}
+    assert names == {"model.pl", "curve.csv", "curve.png", "run.json", "checkpoint.json"} | {
+        f"blocks_world.{suffix}" for suffix in ("pl", "yaml")
+    }
     with (trained / "curve.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert list(rows[0])[:4] == ["episode", "trees", "success", "seconds"]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from samples import some_blocks, visited
+from samples import resigned, some_blocks, visited
 
 from nppg import Domain, train
 from nppg.answers.coverage import Coverage
@@ -138,7 +138,7 @@ def test_what_is_no_instance_is_refused(wrong: str, tmp_path: Path, plain_bias, 
     model = tmp_path / "model.pl"
     last.policy.save(model)
     text = model.read_text()
-    model.write_text(text.replace("model(trees, 1).", f"model(instance, {wrong}).\nmodel(trees, 1)."))
+    resigned(model, text.replace("model(trees, 1).", f"model(instance, {wrong}).\nmodel(trees, 1)."))
     with pytest.raises(NppgError, match="this is no instance of the model's domain"):
         Policy.load(model)
     assert main(["evaluate", str(model)]) == 2

@@ -69,6 +69,24 @@ def test_what_is_learned_acts_on_each_problem(done: Path) -> None:
     assert str(done) not in written and str(ROOT) not in written
 
 
+def test_learning_goes_on_where_it_was_stopped(data: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    setting, run, commands = _setting(data, tmp_path), policies.run, []
+
+    def stopped(command: list[str], folder: Path, *_: object) -> Ended:
+        commands.append(command)
+        if len(commands) == 1:
+            done = run([*command, "--episodes", "30"], folder)  # which end before the seconds do
+            raise KeyboardInterrupt(done)
+        return run(command, folder)
+
+    monkeypatch.setattr(policies, "run", stopped)
+    with pytest.raises(KeyboardInterrupt):
+        policies.learn(setting, NAME, 0)
+    policies.learn(setting, NAME, 0)
+    line = setting.results.get(part="learn", domain=NAME, seed=0)
+    assert "--resume" in commands[1] and line and line["processor"] > line["seconds"]
+
+
 def test_the_page_has_the_results(data: Path, done: Path, tmp_path: Path) -> None:
     shutil.copy(ROOT / page.FOLDER / "README.md", tmp_path)
     page.write(data, Results(done), tmp_path)

@@ -49,7 +49,7 @@ class Written:
         )
         loaded = re.sub(r":- pddl\(.*\)\.\n", f":- use_module('{FORMULA}').\n", loaded)
         (folder / "domain.pl").write_text(loaded)
-        self.domain = Domain(folder / "domain.pl")
+        self.domain = Domain(folder / "domain.pl", trust=True)  # it uses the module that has formulas
         self.data = problem_data(self.problem, self.pddl, self.names, self.wanted)
 
     def state(self, facts: object, numbers: object) -> tuple:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from samples import resigned
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.cli.main import main
@@ -51,7 +52,7 @@ def town(tmp_path: Path):
     text = path.read_text().replace("model(trees, 0)", "model(trees, 1)")
 
     def write(rules: str = "delta(1, go(_), 0.0).") -> Path:
-        path.write_text(f"{text}\n{rules}\n")
+        resigned(path, f"{text}\n{rules}\n")
         return path
 
     return write
@@ -84,7 +85,7 @@ def test_it_agrees_with_the_exact_evaluation(
 ) -> None:
     path = tmp_path / "model.pl"
     Policy(four_blocks, plain_bias).save(path)
-    path.write_text(path.read_text().replace("model(trees, 0)", "model(trees, 1)") + rules)
+    resigned(path, path.read_text().replace("model(trees, 0)", "model(trees, 1)") + rules)
     policy = Policy.load(path)
     judge = ExactEvaluator(policy, four)
     (success, _), certain = judge.by_class(greedy), judge.certain(greedy)

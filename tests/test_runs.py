@@ -14,6 +14,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from samples import resigned
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge import prolog
@@ -89,7 +90,7 @@ def test_a_run_ends_with_its_seconds_as_with_its_episodes(tmp_path: Path) -> Non
     settings = {name: summary[name] for name in ("domain", "bias", "options", "curve")}
     assert is_finished(tmp_path, settings)
     summary["seconds"] = 0.05
-    (tmp_path / "run.json").write_text(json.dumps(summary))
+    resigned(tmp_path / "run.json", json.dumps(summary))
     assert not is_finished(tmp_path, settings)
 
 
@@ -128,14 +129,17 @@ def test_a_run_is_saved_though_its_domain_is_edited_in_the_same_folder(
     with pytest.raises(NppgError, match="left as it is"):
         run(domain, plain_bias, Options(episodes=20), tmp_path, 0, report=lambda _: bool(mine.write_text(MINE)) or None)
     assert mine.read_text() == MINE
-    assert {each.name for each in tmp_path.iterdir()} == {"toy.pl", "blocks_world.yaml", "model.pl", "run.json"}
+    assert {each.name for each in tmp_path.iterdir()} == {
+        *("toy.pl", "blocks_world.yaml", "model.pl", "run.json", "checkpoint.json")
+    }
 
 
 def test_a_bias_made_in_python_has_no_file(plain_bias: LanguageBias, tmp_path: Path) -> None:
     made = replace(plain_bias, file="", source=b"")
     assert made == replace(plain_bias, file="")
     progress = run(Domain("blocks_world", {"blocks": 3}), made, Options(episodes=20), tmp_path, 0)
-    assert progress.written == ["blocks_world.pl", "model.pl", "run.json"] == sorted(p.name for p in tmp_path.iterdir())
+    assert progress.written == ["blocks_world.pl", "model.pl", "run.json"]
+    assert {path.name for path in tmp_path.iterdir()} == {*progress.written, "checkpoint.json"}
     assert json.loads((tmp_path / "run.json").read_text())["bias"] is None
     assert "model(bias" not in (tmp_path / "model.pl").read_text()
     assert main(["distill", str(tmp_path / "model.pl"), "--max-rules", "2"]) == 2
@@ -158,7 +162,7 @@ def test_a_curve_of_an_earlier_run_goes(tmp_path: Path, capsys: pytest.CaptureFi
     assert train(tmp_path, "blocks_world", "--evaluate-every", "0") == 0
     expected = ["blocks_world.pl", "blocks_world.yaml", "model.pl", "run.json"]
     assert capsys.readouterr().out == f"written to {tmp_path}/: {', '.join(expected)}\n"
-    assert sorted(each.name for each in tmp_path.iterdir()) == sorted([*expected, "notes.txt"])
+    assert sorted(each.name for each in tmp_path.iterdir()) == sorted([*expected, "checkpoint.json", "notes.txt"])
 
 
 def test_a_curve_that_no_run_wrote_stays(tmp_path: Path) -> None:

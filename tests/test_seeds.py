@@ -45,7 +45,9 @@ def rows(path: Path) -> list[dict[str, str]]:
 def contents(folder: Path) -> dict[str, Any]:
     """The files of a run, but for the seconds that it took."""
     found: dict[str, Any] = {path.name: path.read_bytes() for path in folder.iterdir()}
+    del found["checkpoint.json"]  # which has the seconds in it
     summary = json.loads(found["run.json"])
+    del summary["sha256"]  # which is over them, too
     for each in (summary, summary["last"] or {}):
         each.pop("seconds", None)
     found["run.json"] = summary

@@ -31,7 +31,7 @@ def main(arguments: Sequence[str]) -> None:
     add("--distill-seconds", type=int, default=120, metavar="S", help="for its rules, about (default: 120)")
     add("--seconds", type=int, default=60, metavar="S", help="for a problem (default: 60)")
     add("--gigabytes", type=int, default=8, metavar="N", help="for a problem (default: 8)")
-    add("--give-up", type=int, default=5, metavar="N", help="LAMA: after N unsolved ones in a row (default: 5)")
+    add("--give-up", type=int, default=5, metavar="N", help="after N unsolved ones in a row (default: 5)")
     add("--table", action="store_true", help=f"put results into {page.FOLDER}, and do nothing else but --parts")
     add("--zoo", action="store_true", help=f"put the first seed's models into {zoo.FOLDER}, likewise")
     options = parser.parse_args(arguments)

@@ -10,32 +10,18 @@ from pathlib import Path
 
 from benchmarks.ipc2023.processes import MEMORY, TIME, run
 from benchmarks.ipc2023.results import Line
-from benchmarks.ipc2023.tasks import LEVELS, SOLVED, Setting
+from benchmarks.ipc2023.tasks import SOLVED, Setting
 
 PART = "lama"
-NOT_RUN = "not run"
 _ENDED = {0: SOLVED, 21: TIME, 23: TIME, 24: TIME, 20: MEMORY, 22: MEMORY}  # by the driver's exit codes
 _MISTAKES = (31, 33, 34, 35, 36, 37)
 _COST = re.compile(r"^; cost = (\d+)", re.MULTILINE)
 
 
 def plan_all(setting: Setting, domain: str) -> None:
-    """Plans for each problem that has no result yet. Where it gives up, the rest of a level, which are larger problems,
-    are recorded as not run."""
-    results = setting.results
-    for level in LEVELS:
-        failed = 0
-        for task in setting.tasks(domain, level):
-            key = {"part": PART, **task.name}
-            line = results.get(**key)
-            if line is None:
-                if failed < setting.give_up:
-                    found = plan(setting.domain(domain), task.path, setting.seconds, setting.gigabytes)
-                else:
-                    found = {"solved": False, "ended": NOT_RUN, "cost": None, "seconds": None}
-                line = results.add({**key, **found, "limit": setting.seconds, "gigabytes": setting.gigabytes})
-                print(*task.name.values(), line["ended"], line["cost"], line["seconds"], flush=True)
-            failed = 0 if line["solved"] else failed + 1
+    """Plans for each problem that has no result yet."""
+    limits = setting.seconds, setting.gigabytes
+    setting.attempt_all(PART, domain, lambda task, _: plan(setting.domain(domain), task.path, *limits))
 
 
 def plan(domain: Path, problem: Path, seconds: int, gigabytes: int) -> Line:

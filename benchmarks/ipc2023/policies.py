@@ -9,10 +9,13 @@ import json
 import re
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
 from benchmarks.ipc2023.processes import TIME, Ended, run
 from benchmarks.ipc2023.results import Line
-from benchmarks.ipc2023.tasks import LEVELS, SOLVED, Setting
+from benchmarks.ipc2023.tasks import SOLVED, Setting, Task
+from nppg.errors import NppgError
+from nppg.experiments import checkpoints
 
 LEARN, DISTILL = "learn", "distill"
 MODELS = {"policy": "model.pl", "rules": "rules.pl", "levin": "model.pl"}  # what acts, by the part that judges it
@@ -22,16 +25,15 @@ _RULE = re.compile(r"^delta\(1, ", re.MULTILINE)
 
 
 def learn(setting: Setting, domain: str, seed: int) -> None:
-    """Trains with the options of the domain's own generated bias, in one process."""
+    """Trains with the options of the domain's own generated bias, in one process; goes on where it was stopped."""
     key = {"part": LEARN, "domain": domain, "seed": seed}
     if setting.results.has(**key):
         return
     folder, problems = setting.folder(domain, seed), map(str, setting.training(domain))
     command = ["train", f"{domain}/domain.pddl", "--seed", str(seed), "--seconds", str(setting.learn_seconds)]
-    done = run(
-        _nppg(*command, "--jobs", "1", "--evaluate-every", "0", "--output", str(folder), "--problems", *problems),
-        setting.data,
-    )
+    new = [*command, "--evaluate-every", "0", "--output", str(folder), "--problems", *problems]
+    before = _seconds_before(folder, setting.learn_seconds)
+    done = run(_nppg(*(["train", "--resume", str(folder)] if before else new), "--jobs", "1"), setting.data)
     if done.status != 0:
         raise RuntimeError(f"learning {domain}, seed {seed}: {done.errors[-2000:]}")
     summary = json.loads((folder / "run.json").read_text())
@@ -39,13 +41,23 @@ def learn(setting: Setting, domain: str, seed: int) -> None:
         {
             **key,
             **{name: summary[name] for name in ("seconds", "episodes", "trees", "leaves")},
-            "processor": done.seconds,
+            "processor": before + done.seconds,
             "limit": setting.learn_seconds,
             "bytes": (folder / MODELS["policy"]).stat().st_size,
             "command": " ".join(["nppg", *command, "--problems", f"{domain}/training/*/*.pddl"]),
         }
     )
     print(*key.values(), line["episodes"], "episodes", line["trees"], "trees", line["seconds"], flush=True)
+
+
+def _seconds_before(folder: Path, limit: int) -> float:
+    """How long the run of a folder had learned when it was stopped, 0 where there is none that is to end there."""
+    try:
+        found = checkpoints.last(folder).run
+    except NppgError:
+        return 0.0
+    seconds: float = found["seconds"]
+    return seconds if seconds < limit == found["settings"]["curve"].get("seconds") else 0.0
 
 
 def distill(setting: Setting, domain: str, seed: int) -> None:
@@ -67,19 +79,18 @@ def distill(setting: Setting, domain: str, seed: int) -> None:
 def act(setting: Setting, part: str, domain: str, seed: int) -> None:
     """Has the policy, or its rules, act on each problem that has no result yet."""
     folder = setting.folder(domain, seed)
-    for task in (task for level in LEVELS for task in setting.tasks(domain, level)):
-        key = {"part": part, **task.name, "seed": seed}
-        if setting.results.has(**key) or not (folder / MODELS[part]).exists():
-            continue
-        limits = {"limit": setting.seconds, "gigabytes": setting.gigabytes}
-        how = _SEARCH.get(part, ("--horizon-factor", "2", *_ACTS))
-        command = _nppg("evaluate", MODELS[part], "--json", "--seconds", str(setting.seconds), *how)
+    how = _SEARCH.get(part, ("--horizon-factor", "2", *_ACTS))
+    command = _nppg("evaluate", MODELS[part], "--json", "--seconds", str(setting.seconds), *how)
+
+    def attempt(task: Task, key: Line) -> Line | None:
         done = run([*command, "--problems", str(task.path)], folder, setting.seconds + 5, setting.gigabytes)
         if done.is_mistaken:
             _tell(key, done)
-            continue
-        line = setting.results.add({**key, **attempted(done, setting.seconds), **limits})
-        print(*key.values(), line["ended"], line["cost"], line["seconds"], line["processor"], flush=True)
+            return None
+        return attempted(done, setting.seconds)
+
+    if (folder / MODELS[part]).exists():
+        setting.attempt_all(part, domain, attempt, seed=seed)
 
 
 def attempted(done: Ended, seconds: int) -> Line:

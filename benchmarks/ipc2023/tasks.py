@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from benchmarks.ipc2023.results import Line, Results
 
@@ -15,6 +16,7 @@ DOMAINS = (
 )  # fmt: skip
 LEVELS = ("easy", "medium")
 SOLVED = "solved"
+_NOT_RUN: Line = {"solved": False, "ended": "not run", "cost": None, "seconds": None}
 
 
 @dataclass(frozen=True)
@@ -33,8 +35,8 @@ class Task:
 @dataclass(frozen=True)
 class Setting:
     """Where the competition's files are and results go; of processor time the `seconds` for a problem, for learning a
-    domain and for distilling its rules; the memory for a problem; how many problems of a level; and after how many of
-    these in a row LAMA gives up."""
+    domain and for distilling its rules; the memory for a problem; how many problems of a level; and after how many
+    unsolved ones in a row whoever solves them gives up."""
 
     data: Path
     results: Results
@@ -57,6 +59,22 @@ class Setting:
         """The level's testing problems in order of their numbers, so from small to large."""
         files = sorted((self.data / domain / "testing" / level).glob("*.pddl"))
         return [Task(file.resolve(), domain, level) for file in files[: self.most]]
+
+    def attempt_all(self, part: str, domain: str, attempt: Callable[[Task, Line], Line | None], **key: Any) -> None:
+        """Has each of a domain's problems attempted that has no result yet. `attempt` is told what results begin with,
+        and gives the rest, or None where a mistake leaves it to the next time. Where it gives up, what follows, which
+        are larger problems, is recorded as not run."""
+        failed = 0
+        for task in (task for level in LEVELS for task in self.tasks(domain, level)):
+            known = {"part": part, **task.name, **key}
+            line = self.results.get(**known)
+            if line is None:
+                found = attempt(task, known) if failed < self.give_up else _NOT_RUN
+                if found is None:
+                    continue
+                line = self.results.add({**known, **found, "limit": self.seconds, "gigabytes": self.gigabytes})
+                print(*known.values(), line["ended"], line["cost"], line["seconds"], flush=True)
+            failed = 0 if line["solved"] else failed + 1
 
     def folder(self, domain: str, seed: int) -> Path:
         """Where a run's files are."""

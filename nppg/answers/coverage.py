@@ -17,7 +17,7 @@ from nppg.answers.table import Table, TestTable
 from nppg.answers.words import WORD, measure, unpacked
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, Refinement, Refiner
-from nppg.bridge.prolog import ask
+from nppg.bridge.prolog import ask, exclusively
 from nppg.bridge.terms import encoded, plain
 from nppg.errors import NppgError
 from nppg.logic.query import Literal, Query
@@ -28,6 +28,7 @@ from nppg.worlds.world import Action, State
 Known = Mapping[Query, np.ndarray]
 
 
+@exclusively("_ask")
 class Coverage:
     """The answers of tests on a fixed list of examples.
 

@@ -16,11 +16,11 @@ from nppg.answers.table import Table
 from nppg.bias.declarations import Mode
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, is_open
+from nppg.bridge.prolog import exclusively
 from nppg.bridge.terms import Ground, plain
 from nppg.errors import NppgError, Problem
 from nppg.logic.query import OPEN, Literal, Query, Term, Var, exact
 from nppg.worlds.domain import Domain
-from nppg.worlds.state import facts_of
 from nppg.worlds.world import Action, State
 
 _MEMORY = 1000  # lists of actions whose answers are remembered
@@ -59,6 +59,7 @@ def _is_readable(test: Query, domain: Domain, bias: LanguageBias) -> bool:
     )
 
 
+@exclusively("answers")
 class FactTable(Table):
     """Tests for which this `suffices`."""
 
@@ -140,7 +141,7 @@ class FactTable(Table):
     def answers(self, state: State, actions: Sequence[Action]) -> np.ndarray:
         actions = plain(actions)
         numbers = np.empty((len(actions), len(self)))
-        facts = self._by_shape(facts_of(state))
+        facts = self._by_shape(self.domain.interpreted(state).facts)
         numbers[:, list(self._unmet)] = self._about_state(facts)
         if self._readers["action"]:
             numbers[:, [column for column, _ in self._readers["action"]]] = self._of_actions(tuple(actions))

@@ -17,7 +17,7 @@ from nppg.answers.comparing import located
 from nppg.answers.words import Words
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refinement, is_open
-from nppg.bridge.prolog import ask, drop_with
+from nppg.bridge.prolog import ask, drop_with, exclusively
 from nppg.errors import NppgError
 from nppg.logic.query import OPEN, Query, opened
 from nppg.worlds.domain import Domain
@@ -28,6 +28,7 @@ _AT_ONCE = 10_000  # facts and actions that are handed over in one question
 _MEMORY = 10_000  # lists of candidates whose columns are remembered
 
 
+@exclusively("add", "columns")
 class Table(ABC):
     """The tests of a domain and bias that are asked together."""
 
@@ -108,6 +109,7 @@ def _parts(pairs: Sequence[tuple[State, Sequence[Action]]]) -> Iterator[Sequence
             first, size = i + 1, 0
 
 
+@exclusively("answers", "answers_in")
 class TestTable(Table):
     """Tests that are compiled into Prolog clauses."""
 
@@ -117,6 +119,9 @@ class TestTable(Table):
         super().__init__(domain, bias)
         kinds = [[template.name, len(template.types)] for template in bias.actions]
         goal = [bias.goal.name, len(bias.goal.types)] if bias.goal else []
+        if not domain.trusted:
+            asked = [[mode.name, len(mode.args)] for mode in bias.modes]
+            ask("harmless", domain.module, [goal, *asked] if goal else asked)
         self.name: str = ask("table", domain.module, kinds, goal)
         drop_with(self, "table_drop", self.name)
         self._words = Words(bias, self._is_static)

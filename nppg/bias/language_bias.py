@@ -19,6 +19,7 @@ from nppg.logic.forms import Forms
 from nppg.logic.query import OPEN
 
 RESERVED = ("delta", 3)
+LARGEST = 200_000  # bytes of a file
 
 
 @dataclass(frozen=True)
@@ -94,10 +95,14 @@ def _near(name: str, known: Collection[tuple[str, int]]) -> str:
 
 def _read(path: str | Path) -> bytes:
     try:
-        return Path(path).read_bytes()
+        with open(path, "rb") as file:
+            data = file.read(LARGEST + 1)
+        if len(data) <= LARGEST:
+            return data
+        reason = f"it has more than {LARGEST:,} bytes"
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise NppgError([Problem(str(path), 0, 0, f"cannot be read: {reason}")]) from None
+    raise NppgError([Problem(str(path), 0, 0, f"cannot be read: {reason}")])
 
 
 def _text(path: str | Path, data: bytes) -> str:

@@ -15,6 +15,10 @@ from nppg.bias.literals import Mistake, Parsed, parsed
 from nppg.bias.names import is_name, number
 from nppg.errors import NppgError, Problem, suggestion
 
+_DEEP = re.compile(r"(?:[\[{]\s*){50}")  # takes YAML's parser long
+_MOST = 50  # problems that are told
+_LONGEST = 500  # characters of one
+
 
 class Document:
     """The text of one file, with the problems that were found in it, so that all are reported at once."""
@@ -27,6 +31,9 @@ class Document:
     def compose(self) -> yaml.Node:
         """The root node; what is no YAML is one located problem, since the parser cannot go on behind it."""
         line = column = 0
+        if deep := _DEEP.search(self.source):
+            line = self.source.count("\n", 0, deep.start()) + 1
+            raise NppgError([Problem(self.file, line, 0, "nested too deeply")])
         try:
             node = yaml.compose(self.source, Loader=yaml.SafeLoader)
             if node is not None:
@@ -59,8 +66,12 @@ class Document:
         return start.line + 1, start.column + 1
 
     def report(self, node: yaml.Node, message: str, offset: int = 0) -> None:
-        """Notes a problem at a node, or at an offset in its text."""
+        """Notes a problem at a node, or at an offset in its text. Raises NppgError where there are many."""
+        if len(message) > _LONGEST:
+            message = f"{message[:_LONGEST]} ..."
         self.problems.add(Problem(self.file, *self.place(node, offset), message))
+        if len(self.problems) >= _MOST:
+            raise NppgError(sorted(self.problems))
 
     def mapping(self, node: yaml.Node, what: str, known: Collection[str] = ()) -> dict[str, yaml.Node]:
         """The entries of a mapping; its keys are checked against `known`, if given."""

@@ -6,18 +6,21 @@ raised as NppgError, so no Prolog exception leaves this module.
 
 from __future__ import annotations
 
+import os
 import threading
 import weakref
 from collections import deque
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import Any
+from functools import wraps
+from typing import Any, TypeVar
 
 import numpy as np
 
 from nppg.bridge import home as prolog_home
 from nppg.bridge.files import shipped
 from nppg.bridge.interrupts import heed_interrupt
+from nppg.bridge.watch import COUNT, watch
 from nppg.errors import NppgError, Problem, suggestion
 
 prolog_home.prepare()
@@ -28,9 +31,79 @@ _STACK_LIMIT = 256 * 2**20
 
 _dropped: deque[tuple] = deque()  # last questions about what Python has dropped
 _generator: np.random.Generator | None = None
-_thread = threading.local()  # `asks` in the thread in which Prolog was started
-_thread.asks = True
-_thread_name = threading.current_thread().name
+_Method = TypeVar("_Method", bound=Callable)
+
+
+class _Engine:
+    """What a thread asks Prolog by that has not started it; it is to go in this thread, and with it."""
+
+    def __init__(self) -> None:
+        janus_swi.attach_engine()
+        janus_swi.query_once("set_prolog_flag(stack_limit, Limit)", {"Limit": _STACK_LIMIT})
+
+    def __del__(self) -> None:
+        janus_swi.detach_engine()
+
+
+class _Exclusive:
+    """One thread at a time asks. What it asks within this stands together: no other makes another state current
+    meanwhile."""
+
+    def __init__(self) -> None:
+        self._lock = threading.RLock()
+        self._thread = threading.local()  # with what it is known by, and but in the one that starts Prolog an engine
+        self._thread.mark = self._latest = object()
+        self.engine = 1  # of the thread that has asked last, as Prolog numbers them
+
+    def __enter__(self) -> None:
+        self._lock.acquire()
+        if getattr(self._thread, "mark", None) is not self._latest:
+            self._turn()
+
+    def __exit__(self, *_: object) -> None:
+        self._lock.release()
+
+    def _turn(self) -> None:
+        """Another thread has asked last. The answers that this one's engine keeps in tables may be about states that
+        are no longer the current ones."""
+        try:
+            if not hasattr(self._thread, "mark"):
+                self._thread.engine = _Engine()
+                self._thread.mark = object()
+            self._latest, self.engine = self._thread.mark, janus_swi.engine()
+            janus_swi.query_once("abolish_all_tables")
+        except BaseException:
+            self._lock.release()
+            raise
+
+    def forked(self) -> None:
+        """In a process that is forked from another, no thread of that one holds the lock."""
+        self._lock = threading.RLock()
+
+
+exclusive = _Exclusive()
+os.register_at_fork(after_in_child=exclusive.forked)
+
+
+def exclusively(*names: str) -> Callable[[type], type]:
+    """Has these methods and properties of a class run `exclusive`ly: they ask several questions that stand together, or
+    remember what they have been asked."""
+
+    def held(method: _Method) -> _Method:
+        @wraps(method)
+        def run(*args: Any, **keywords: Any) -> Any:
+            with exclusive:
+                return method(*args, **keywords)
+
+        return run  # type: ignore[return-value]
+
+    def changed(kind: type) -> type:
+        for name in names:
+            found = vars(kind)[name]
+            setattr(kind, name, property(held(found.fget)) if isinstance(found, property) else held(found))  # type: ignore[type-var]
+        return kind
+
+    return changed
 
 
 def uniform(count: int) -> list[float] | None:
@@ -42,22 +115,12 @@ def uniform(count: int) -> list[float] | None:
     return [draw() for _ in range(count)]
 
 
-def check_thread() -> None:
-    """Raises NppgError in another thread than the one that started Prolog: there Prolog would end the process, and two
-    threads would change the current state in turn."""
-    if not hasattr(_thread, "asks"):
-        name = threading.current_thread().name
-        raise NppgError(
-            f"nppg is used in the thread {name}, but can be used only in the one that used it first, {_thread_name}: "
-            "have that thread ask, or start a process"
-        )
-
-
 @contextmanager
 def randomness(generator: np.random.Generator) -> Iterator[None]:
-    """Lets the domain draw from `generator`. Raises NppgError in a thread that cannot ask."""
+    """Lets the domain draw from `generator`, in what is done `exclusive`ly. Raises NppgError where it is none."""
     global _generator
-    check_thread()
+    if not isinstance(generator, np.random.Generator):
+        raise NppgError(f"{generator!r} is no generator of random numbers: np.random.default_rng(seed) is one")
     previous, _generator = _generator, generator
     try:
         yield
@@ -68,18 +131,20 @@ def randomness(generator: np.random.Generator) -> Iterator[None]:
 def ask(question: str, *args: Any) -> Any:
     """The answer to one of the questions of prolog/bridge.pl.
 
-    Raises NppgError with file and line where the domain's code is at fault, or in another thread than the one in which
-    nppg was used first; and KeyboardInterrupt where Ctrl-C was pressed under `interruptible`, unless it is held back by
-    `undisturbed`.
+    Any thread may ask. Raises NppgError with file and line where the domain's code is at fault; and KeyboardInterrupt
+    where Ctrl-C was pressed under `interruptible`, unless it is held back by `undisturbed`.
     """
-    check_thread()
-    while _dropped:
-        last, *its_args = _dropped.popleft()
-        janus_swi.apply_once("nppg_bridge", "ask", last, its_args)
-    try:
-        done, value = janus_swi.apply_once("nppg_bridge", "ask", question, list(args))
-    except janus_swi.PrologError:
-        done, value = janus_swi.apply_once("nppg_bridge", "ask", "aborted", [question])
+    with exclusive:
+        while _dropped:
+            last, *its_args = _dropped.popleft()
+            janus_swi.apply_once("nppg_bridge", "ask", last, its_args)
+        COUNT[0] += 1
+        try:
+            done, value = janus_swi.apply_once("nppg_bridge", "ask", question, list(args))
+        except janus_swi.PrologError:
+            done, value = janus_swi.apply_once("nppg_bridge", "ask", "aborted", [question])
+        finally:
+            COUNT[0] += 1
     heed_interrupt()
     if not done:
         raise NppgError(_problem(*each) for each in value)
@@ -96,9 +161,20 @@ def drop_with(owner: object, question: str, *args: Any) -> None:
     weakref.finalize(owner, _dropped.append, (question, *args)).atexit = False
 
 
+def _look() -> int:
+    """Has the thread that is asking look at itself, as soon as Prolog comes by there; how often it has."""
+    janus_swi.attach_engine()
+    try:
+        looked: int = janus_swi.query_once("nppg_guard:look(Engine, Looked)", {"Engine": exclusive.engine})["Looked"]
+        return looked
+    finally:
+        janus_swi.detach_engine()
+
+
 def _start() -> None:
     janus_swi.query_once("set_prolog_flag(stack_limit, Limit)", {"Limit": _STACK_LIMIT})
     janus_swi.query_once("use_module(File, [])", {"File": str(shipped("prolog") / "bridge.pl")})
+    watch(_look)
 
 
 _start()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import chain
+from math import isnan
 from typing import Any
 
 from nppg.bridge.plain import alone
@@ -36,8 +37,10 @@ def plain(terms: Iterable[Ground]) -> list[Ground]:
     kinds = {*map(type, found)}
     if kinds <= _OWN:
         return found
-    if kinds <= _FLAT and {*map(type, chain.from_iterable(found))} <= _ATOMS and () not in found:  # type: ignore[arg-type]
-        return found
+    if kinds <= _FLAT and () not in found:
+        inside = {*map(type, chain.from_iterable(found))}  # type: ignore[arg-type]
+        if inside == {str} or (inside <= _ATOMS and all(map(_is_plain, found))):
+            return found
     return [each if _is_plain(each) else _made_plain(each) for each in found]
 
 
@@ -46,8 +49,11 @@ def _is_plain(term: Ground) -> bool:
     unread = [term]
     while unread:
         each = unread.pop()
-        if type(each) not in _ATOMS:
-            if not isinstance(each, tuple) or not each:
+        if type(each) is float:
+            if isnan(each):
+                return False
+        elif type(each) not in _ATOMS:
+            if not isinstance(each, tuple) or not each or not isinstance(each[0], str):
                 return False
             unread.extend(each)
     return True
@@ -55,8 +61,10 @@ def _is_plain(term: Ground) -> bool:
 
 def _made_plain(term: Any) -> Ground:
     term = alone(term)
-    if isinstance(term, tuple | list) and len(term):
+    if isinstance(term, tuple | list) and len(term) and isinstance(term[0], str):
         return tuple(map(_made_plain, term))
+    if isinstance(term, float) and isnan(term):
+        raise NppgError(f"{term!r} is no number")
     if isinstance(term, str | int | float | Fraction) and not isinstance(term, bool):
         return term  # type: ignore[return-value]
     raise NppgError(f"{term!r} is no term: that is a name, a number, or a tuple of a name and its arguments")

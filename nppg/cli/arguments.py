@@ -31,14 +31,31 @@ class Parser(argparse.ArgumentParser):
         return found
 
 
-def add_domain(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
-    """The domain, its parameters and its language bias."""
+def add_domain(parser: argparse.ArgumentParser | argparse._ArgumentGroup, needed: bool = True) -> None:
+    """The domain, if it is `needed` always, its parameters and its language bias."""
     parser.add_argument(
-        "domain", help="a shipped domain's name, a file, in PDDL too, or gym:ID for an environment of Gymnasium"
+        "domain",
+        nargs=None if needed else "?",
+        help="a shipped domain's name, a file, in PDDL too, or gym:ID for an environment of Gymnasium",
     )
     parser.add_argument("--bias", help="language bias (default: the file of the domain's name, or a generated one)")
     add_parameters(parser)
     add_problems(parser)
+    add_trust(parser)
+
+
+def add_trust(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
+    """Whether the domain file is code that may do anything, and whether in a process of its own."""
+    parser.add_argument(
+        "--trust",
+        action="store_true",
+        help="let the domain file do anything on this machine: for those of authors whom you trust (SECURITY.md)",
+    )
+    parser.add_argument(
+        "--isolate",
+        action="store_true",
+        help="run in a process of its own, which is ended where the domain hangs or takes more than 4 GB of memory",
+    )
 
 
 def add_problems(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
@@ -111,6 +128,10 @@ def add_parameters(parser: argparse.ArgumentParser | argparse._ArgumentGroup) ->
 def add_model(parser: argparse.ArgumentParser) -> None:
     """A model file."""
     parser.add_argument("model", type=Path, help="a model file")
+    parser.add_argument(
+        "--edited", action="store_true", help="take the file as it is, though it was changed since nppg wrote it"
+    )
+    add_trust(parser)
 
 
 def add_explain(parser: argparse.ArgumentParser) -> None:

@@ -46,7 +46,7 @@ def run(options: argparse.Namespace) -> int:
     at_least("max-rules", options.max_rules, 1)
     seconds = checked_seconds(options)
     with warnings_told():
-        policy = Policy.load(options.model)
+        policy = Policy.load(options.model, edited=options.edited)
     wanted = loading.policy(options, tell=False).domain if options.set or options.problems else None
     bias = loading.bias_of(policy, options)
     rules, report = distilled(policy, bias, options.max_rules, wanted, seconds or SECONDS, not options.no_revisits)

@@ -44,7 +44,7 @@ def bias(options: argparse.Namespace, domain: Domain | None) -> LanguageBias | N
 def policy(options: argparse.Namespace, tell: bool = True) -> Policy:
     """Read from the model file. Raises NppgError."""
     with warnings_told(tell):
-        found = Policy.load(options.model, parameters(getattr(options, "set", [])))
+        found = Policy.load(options.model, parameters(getattr(options, "set", [])), edited=options.edited)
     found.domain = with_problems(found.domain, *sorted_out(getattr(options, "problems", [])))
     return found
 

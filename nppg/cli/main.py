@@ -1,4 +1,4 @@
-"""The command line's way in: Ctrl-C is heeded from the first moment on, so nothing else is loaded before."""
+"""The command line's way in: Ctrl-C is noted from the first moment on, so nothing else is loaded before."""
 
 from __future__ import annotations
 

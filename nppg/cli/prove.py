@@ -135,7 +135,7 @@ def _kind(greedy: bool) -> str:
 
 def _check(options: argparse.Namespace, proof: Certificate) -> None:
     if options.check:
-        check_certificate(options.check, proof)
+        check_certificate(options.check, proof, options.edited)
         print(f"{options.check} is right: {options.model} was proved again, with the same result")
 
 

@@ -13,19 +13,27 @@ from nppg.cli.progress import ENDLESS, reporter
 from nppg.cli.training_options import add_training_options, chosen_options
 from nppg.errors import NppgError
 from nppg.experiments import runs, seeds
+from nppg.experiments.checkpoints import MINUTE
 from nppg.experiments.jobs import Job, packed
 from nppg.experiments.learners import LEARNERS, LIMITS, learner_of, options_of
 from nppg.experiments.many import available_cores
+from nppg.experiments.resuming import Begun, begun
 from nppg.learning.options import at_least
 from nppg.worlds.problems import numbers_of
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """In groups, the options of the learners among them."""
-    parser.usage = "nppg train DOMAIN [--option VALUE ...]"
+    parser.usage = "nppg train DOMAIN [--option VALUE ...]\n       nppg train --resume DIR [--episodes N]"
     parser.epilog = "What is left out has the value that the language bias's options give it, else its default."
     learned = parser.add_argument_group("what to learn")
-    add_domain(learned)
+    add_domain(learned, needed=False)
+    learned.add_argument(
+        "--resume",
+        type=Path,
+        metavar="DIR",
+        help="go on with the run of this folder from its last checkpoint; with more --episodes beyond its end",
+    )
     files = parser.add_argument_group("output")
     files.add_argument(
         "--output",
@@ -55,6 +63,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="stop at the first point with this mean return; points are then sampled, not exact",
     )
     add_seconds(files, "stop with the episode after so many seconds of learning; without --episodes, not before")
+    files.add_argument(
+        "--checkpoint-every",
+        type=float,
+        default=MINUTE,
+        metavar="S",
+        help="seconds between two checkpoints, from which --resume goes on; 0: none (default: 60)",
+    )
     files.add_argument("--quiet", action="store_true", help="print nothing")
     many = parser.add_argument_group("several runs")
     many.add_argument(
@@ -73,6 +88,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Learns, prints the curve's points and writes the files. Raises NppgError."""
+    every = options.checkpoint_every
+    if not 0 <= every < math.inf:
+        raise NppgError(f"checkpoint-every must be a finite number, at least 0, not {every:g}")
+    if options.resume is not None:
+        return _resumed(options)
+    if options.domain is None:
+        raise NppgError("nppg train: name a domain, or a run to go on with by --resume")
     at_least("evaluate-every", options.evaluate_every or 0, 0)
     seconds = checked_seconds(options)
     if options.starts is not None:
@@ -96,30 +118,44 @@ def run(options: argparse.Namespace) -> int:
     if least is not None and not (math.isfinite(least) and options.evaluate_every != 0):
         raise NppgError("until-return must be a finite number, and needs points of the curve (evaluate-every)")
     output = options.output or Path("runs") / (domain.name if options.seeds is None else f"{domain.name}-seeds")
+    judging = runs.judging_of(domain, options.evaluate_every, starts, until, least, seconds)
     if options.seeds is not None:
-        judging = runs.judging_of(domain, options.evaluate_every, starts, until, least, seconds)
         return _with_seeds(options, Job(packed(domain, bias), chosen, judging, output))
     if options.cluster is not None:
         raise NppgError("--cluster is for several runs: give --seeds")
+    return _learned(options, Begun(domain, bias, chosen, judging), output)
+
+
+def _learned(options: argparse.Namespace, begun: Begun, output: Path) -> int:
+    """Does a run, or goes on with it. Raises NppgError."""
     processes = min(2, available_cores()) if options.jobs is None else at_least("jobs", options.jobs, 1)
-    report = (lambda progress: None) if options.quiet else reporter(chosen)
+    report = (lambda progress: None) if options.quiet else reporter(begun.options)
     with warnings_told(not options.quiet):
         progress = runs.run(
-            domain,
-            bias,
-            chosen,
+            begun.domain,
+            begun.bias,
+            begun.options,
             output,
-            options.evaluate_every,
-            starts,
-            report,
-            until,
-            until_return=least,
+            report=report,
             jobs=processes,
-            seconds=seconds,
+            checkpoint_every=options.checkpoint_every,
+            resume=options.resume is not None,
+            **begun.judging,
         )
     if not options.quiet:
         print(f"written to {output}/: {', '.join(progress.written)}")
     return 0
+
+
+def _resumed(options: argparse.Namespace) -> int:
+    """Goes on with a run. Raises NppgError."""
+    known = {"resume", "episodes", "jobs", "quiet", "checkpoint_every", "trust", "arguments"}
+    given = [name for name, value in vars(options).items() if name not in known and value not in (None, False, [])]
+    if given:
+        name = given[0].replace("_", "-")
+        what = "the domain" if name == "domain" else f"--{name}"
+        raise NppgError(f"nppg train --resume goes on with what the run was begun with: leave out {what}")
+    return _learned(options, begun(options.resume, options.episodes), options.resume)
 
 
 def _with_seeds(options: argparse.Namespace, job: Job) -> int:

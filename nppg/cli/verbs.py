@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Sequence
 from importlib import import_module
 from importlib.metadata import version
 
 from nppg.cli.arguments import Parser, warnings_told
+from nppg.cli.isolating import bound, is_isolated, isolated
 from nppg.errors import NppgError, suggestion
 
 VERBS = {
@@ -24,6 +26,7 @@ VERBS = {
     "play": "draw one episode step by step",
     "distill": "write few rules that choose like a policy of many trees",
     "prove": "show from which start states a policy can fail, and write a certificate",
+    "sign": "write anew the checksums of files that were edited on purpose",
     "reproduce": "do an experiment of the paper: its runs, its figure, a report",
 }
 _ABOUT = "Learn to act in structured worlds by non-parametric policy gradients, and read what was learned as rules."
@@ -45,10 +48,16 @@ def _run(arguments: Sequence[str]) -> int:
         raise NppgError(f"{name} is no option of nppg: see nppg --help")
     if name not in VERBS:
         raise NppgError(f"there is no command {name}{suggestion(name, VERBS)}: see nppg --help")
+    if is_isolated():
+        bound()
+    elif "--isolate" in rest:
+        return isolated(arguments)
     verb = import_module(f"nppg.cli.{name}")
     parser = Parser(prog=f"nppg {name}", description=f"{VERBS[name].capitalize()}.", allow_abbrev=False)
     verb.add_arguments(parser)
     options = parser.parse_args(rest, argparse.Namespace(arguments=arguments))
+    if getattr(options, "trust", False):
+        os.environ["NPPG_TRUST"] = "1"  # for the processes, too, that the command starts
     with warnings_told():
         status: int = verb.run(options)
     return status

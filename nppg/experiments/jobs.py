@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import json
 import pickle
 import tempfile
 import time
@@ -14,13 +13,14 @@ from pathlib import Path
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from nppg.bias.language_bias import LanguageBias
-from nppg.bridge.files import replacing
+from nppg.bridge.files import made, replacing, write_files
 from nppg.bridge.interrupts import undisturbed
 from nppg.errors import NppgError
+from nppg.experiments import checkpoints
 from nppg.experiments.cluster import heed_abandoned
 from nppg.experiments.many import Pool, each
 from nppg.experiments.progress import MEASURES, Judging, Progress, measured
-from nppg.experiments.run_files import is_finished, settings
+from nppg.experiments.run_files import is_finished, settings, summary_of
 from nppg.experiments.runs import make_folder, run
 from nppg.judging.space import Space
 from nppg.learning.options import Common
@@ -61,8 +61,8 @@ class Job:
         return is_finished(self.folder, settings(*_opened(self.world), self.options, self.judging))
 
     def learn(self, folder: Path, heed: Callable[[], None] = lambda: None) -> None:
-        """Does it, and writes its files into this folder. An environment is made for it alone. `heed` is called again
-        and again, and may raise something that is to end the run."""
+        """Does it, or goes on with it where this folder has a checkpoint of it, and writes its files there. An
+        environment is made for it alone. `heed` is called again and again, and may raise what is to end the run."""
         domain, bias = _opened(self.world)
         if domain.environment:
             domain, bias = pickle.loads(self.world)
@@ -72,7 +72,17 @@ class Job:
             heed()
             report(progress)
 
-        run(domain, bias, self.options, folder, **self.judging, report=heeding, space=space)
+        known = settings(domain, bias, self.options, self.judging)
+        run(
+            domain,
+            bias,
+            self.options,
+            folder,
+            **self.judging,
+            report=heeding,
+            space=space,
+            resume=checkpoints.are_of(folder, known),
+        )
 
     def observer(self, domain: Domain, folder: Path) -> tuple[Callable[[Progress], None], Space | None]:
         """What the run reports to, and the domain's space, where that has it."""
@@ -90,7 +100,7 @@ class Job:
 
     def summary(self) -> dict[str, Any]:
         """What run.json says of the finished run."""
-        return json.loads((self.folder / "run.json").read_text())
+        return summary_of(self.folder)
 
     def curve(self) -> list[dict[str, str]]:
         """The points of the finished run's curve.csv."""
@@ -146,8 +156,7 @@ def _learned_elsewhere(sent: _Sent) -> tuple[dict[str, bytes], float]:
     with tempfile.TemporaryDirectory() as parent:
         folder = Path(parent, sent.job.folder.name)
         folder.mkdir()
-        for name, data in sent.files.items():
-            (folder / name).write_bytes(data)
+        write_files(folder, sent.files)
         begin = time.perf_counter()
         try:
             sent.job.learn(folder, heed_abandoned)
@@ -157,7 +166,7 @@ def _learned_elsewhere(sent: _Sent) -> tuple[dict[str, bytes], float]:
 
 
 def _contents(folder: Path) -> dict[str, bytes]:
-    return {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
 @undisturbed()
@@ -165,6 +174,7 @@ def _put(files: Mapping[str, bytes], sent: _Sent) -> None:
     """Makes the folder here what it is there."""
     for name, data in files.items():
         if sent.files.get(name) != data:
+            made((sent.job.folder / name).parent)
             replacing(sent.job.folder / name, partial(Path.write_bytes, data=data))
     for name in set(sent.files) - set(files):
         (sent.job.folder / name).unlink(missing_ok=True)

@@ -7,8 +7,8 @@ numbers are the same, for a point hangs on nothing but the policy as it was when
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
 from nppg.errors import NppgError
 from nppg.experiments.progress import Point, Progress
@@ -52,7 +52,7 @@ class Sampled:
 class _Due:
     """A point, but for how the policy does, which `beside` may be about to tell."""
 
-    point: Callable[[Evaluation, Evaluation], Point]
+    point: Point
     trees: int
     found: Both | None = None
     beside: Beside | None = None
@@ -104,7 +104,15 @@ class Points:
                     due.found = self._sampled.of_first(due.trees)
             assert due.found
             self._due.pop(0)
-            yield due.point(*due.found)
+            yield _judged(due.point, *due.found)
+
+    def saved(self) -> list[list]:
+        """Those that are due and not drawn yet, to be stored, each with the trees that its policy had."""
+        return [[due.point, due.trees] for due in self._due]
+
+    def resume(self, saved: list[list]) -> None:
+        """Draws those."""
+        self._due += [_Due(point, trees, self._sampled.of_first(trees)) for point, trees in saved]
 
     def rescued(self) -> Iterator[Point]:
         """What of them is there within a few seconds, when nothing else is to be learned of a run."""
@@ -116,7 +124,7 @@ class Points:
             except Gone:
                 pass
             if due.found:
-                yield due.point(*due.found)
+                yield _judged(due.point, *due.found)
 
     def close(self) -> None:
         """Ends the other processes."""
@@ -142,25 +150,33 @@ def _exact(progress: Progress, space: Space | None) -> ExactEvaluator | None:
         return None
 
 
-def _unjudged(progress: Progress) -> Callable[[Evaluation, Evaluation], Point]:
+def _unjudged(progress: Progress) -> Point:
     """The point that is due now, which lacks how the policy does."""
     sizes = progress.policy.sizes()
-    episodes, seconds, recent = progress.episodes, round(progress.seconds, 3), progress.recent
+    return Point(
+        episode=progress.episodes,
+        trees=sizes.get("trees", 0),
+        success=0.0,
+        seconds=round(progress.seconds, 3),
+        greedy_success=0.0,
+        mean_steps=0.0,
+        recent=progress.recent,
+        exact=0,
+        leaves=sizes.get("leaves", 0),
+        instances=sizes.get("instances", 0),
+        mean_return=None,
+        greedy_return=None,
+    )
 
-    def point(stochastic: Evaluation, greedy: Evaluation) -> Point:
-        return Point(
-            episodes,
-            sizes.get("trees", 0),
-            stochastic.success,
-            seconds,
-            greedy.success,
-            stochastic.mean_steps,
-            recent,
-            int(stochastic.exact),
-            sizes.get("leaves", 0),
-            sizes.get("instances", 0),
-            stochastic.mean_return,
-            greedy.mean_return,
-        )
 
-    return point
+def _judged(point: Point, stochastic: Evaluation, greedy: Evaluation) -> Point:
+    """The same with how the policy does."""
+    return replace(
+        point,
+        success=stochastic.success,
+        greedy_success=greedy.success,
+        mean_steps=stochastic.mean_steps,
+        exact=int(stochastic.exact),
+        mean_return=stochastic.mean_return,
+        greedy_return=greedy.mean_return,
+    )

@@ -65,6 +65,7 @@ class Progress:
     curve: list[Point] = field(default_factory=list)
     point: Point | None = None
     evaluator: ExactEvaluator | None = None  # that the last point comes from, where it is exact
+    notes: list = field(default_factory=list)  # what who is reported to wants to find again when the run is resumed
     ended: bool = False
     written: list[str] = field(default_factory=list)  # names of the files, at the end
 

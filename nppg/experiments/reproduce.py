@@ -42,12 +42,11 @@ class Job(jobs.Job):
 
     def observer(self, domain: Domain, folder: Path) -> tuple[Callable[[Progress], None], Space | None]:
         probe = PROBES[self.experiment.probe](domain, self.experiment)
-        found: list[dict[str, float]] = []
 
         def look(progress: Progress) -> None:
-            found.extend(probe.seen(progress))
+            progress.notes.extend(probe.seen(progress))
             if progress.ended:
-                replacing(folder / _TESTS, lambda path: _write(found, path))
+                replacing(folder / _TESTS, lambda path: _write(progress.notes, path))
 
         return look, probe.space
 

@@ -4,44 +4,43 @@ from __future__ import annotations
 
 import csv
 import json
-import platform
+import warnings
 from collections.abc import Mapping
 from dataclasses import asdict, fields
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
-
-import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.files import replacing, sha256
 from nppg.bridge.interrupts import undisturbed
-from nppg.bridge.prolog import ask
+from nppg.bridge.seals import opened, sealed
 from nppg.errors import NppgError, Problem
 from nppg.experiments import drawing
 from nppg.experiments.progress import Judging, Point, Progress, sizes, title
+from nppg.experiments.versions import versions
 from nppg.learning.options import Common
-from nppg.policy.copies import conflicts, recorded_hashes, write_copies
+from nppg.policy.copies import CHECKPOINT, conflicts, write_copies
 from nppg.policy.model import write_model
 from nppg.worlds.domain import Domain
 from nppg.worlds.problems import BESIDE
 
-_FILES = ("model.pl", "run.json", "curve.csv", "curve.png")
+FILES = ("model.pl", "run.json", "curve.csv", "curve.png")
 
 
-def in_the_way(domain: Domain, bias: LanguageBias, output: Path) -> list[Problem]:
-    """What stands in the way of the files, in the folder `output`."""
-    return list(conflicts(output, _copies(domain, bias), _FILES).values())
+def in_the_way(copies: Mapping[str, bytes], output: Path) -> list[Problem]:
+    """What stands in the way of the files and of these copies, in the folder `output`."""
+    return list(conflicts(output, copies, (*FILES, CHECKPOINT)).values())
 
 
-def _copies(domain: Domain, bias: LanguageBias) -> dict[str, bytes]:
+def copies_of(domain: Domain, bias: LanguageBias) -> dict[str, bytes]:
     """The contents of the input files, by name; a bias made in Python has none."""
     copies = {domain.path.name: domain.source, **domain.companions}
     return copies | {Path(bias.file).name: bias.source} if bias.source else copies
 
 
-def settings(domain: Domain, bias: LanguageBias, options: Common, judging: Judging) -> dict[str, Any]:
-    """What a run depends on, as run.json tells it."""
+def settings(domain: Domain, bias: LanguageBias, options: Common, judging: Judging | None = None) -> dict[str, Any]:
+    """What a run depends on, as run.json tells it; without `judging`, what its policy does."""
+    curve = {} if judging is None else {"curve": dict(judging)}
     return {
         "domain": {"file": domain.path.name, "sha256": domain.hash, "parameters": domain.parameters},
         "bias": {"file": Path(bias.file).name, "sha256": bias.hash} if bias.source else None,
@@ -49,14 +48,33 @@ def settings(domain: Domain, bias: LanguageBias, options: Common, judging: Judgi
         "learner": options.learner,
         "options": asdict(options),
         "tree": asdict(bias.tree),
-        "curve": dict(judging),
+        **curve,
     }
 
 
+def summary_of(output: Path) -> dict[str, Any]:
+    """What run.json says. Raises NppgError where it is not there as a run has written it."""
+    path = output / "run.json"
+
+    def parsed(content: bytes) -> dict[str, Any]:
+        try:
+            summary = json.loads(content)
+        except (ValueError, RecursionError):
+            summary = None
+        if not isinstance(summary, dict) or "episodes" not in summary:
+            raise NppgError([Problem(str(path), 0, 0, "is no run.json of nppg, or was cut off")])
+        return summary
+
+    return opened(path, parsed)
+
+
 def is_finished(output: Path, wanted: Mapping[str, Any]) -> bool:
-    """Whether a folder holds the model and the curve of a run with these settings that came to its end."""
+    """Whether a folder holds the model and the curve of a run with these settings that came to its end. Warns where
+    its run.json is damaged."""
+    if not (output / "run.json").exists():
+        return False
     try:
-        summary = json.loads((output / "run.json").read_text())
+        summary = summary_of(output)
         last, judging = summary["last"] or {}, summary["curve"]
         alike = all(summary[name] == value for name, value in json.loads(json.dumps(wanted)).items())
         ended = summary["episodes"] == summary["options"]["episodes"] or any_reached(
@@ -64,9 +82,12 @@ def is_finished(output: Path, wanted: Mapping[str, Any]) -> bool:
             (last.get("mean_return"), judging["until_return"]),
             (summary["seconds"], judging.get("seconds")),
         )
-    except (OSError, ValueError, KeyError, TypeError):
+    except NppgError as error:
+        warnings.warn(f"{error}; the run is done again", stacklevel=3)
         return False
-    return alike and ended and all((output / name).is_file() for name in _FILES[: 3 if last else 2])
+    except (ValueError, KeyError, TypeError):
+        return False
+    return alike and ended and all((output / name).is_file() for name in FILES[: 3 if last else 2])
 
 
 def any_reached(*wanted: tuple[float | None, float | None]) -> bool:
@@ -75,15 +96,20 @@ def any_reached(*wanted: tuple[float | None, float | None]) -> bool:
 
 
 @undisturbed()
-def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[str]:
-    """Writes all files of a run, each under a temporary name first, and removes the curve of an earlier one. Returns
-    their names. Raises NppgError at the end where a file has come into the way of a copy since the run began."""
+def write_files(
+    progress: Progress,
+    bias: LanguageBias,
+    output: Path,
+    copies: Mapping[str, bytes],
+    earlier: Mapping[str, str],
+    ended: bool = True,
+) -> list[str]:
+    """Writes all files of a run, each under a temporary name first, with `copies` of its inputs, and removes the curve
+    of an `earlier` one, of which the hashes of inputs were recorded; before it has `ended` no picture. Returns their
+    names. Raises NppgError at the end where a file has come into the way of a copy since the run began."""
     policy, options = progress.policy, progress.options
     domain = policy.domain
-    earlier = recorded_hashes(output)
-    rerun = bool(earlier)
-    copies = _copies(domain, bias)
-    problems = conflicts(output, copies, _FILES)
+    problems = conflicts(output, copies, FILES)
     copies = {name: source for name, source in copies.items() if name not in problems}
     judging = progress.judging
     until = (judging["until_success"], judging["until_return"]) != (None, None) or "seconds" in judging
@@ -100,22 +126,23 @@ def write_files(progress: Progress, bias: LanguageBias, output: Path) -> list[st
     write_copies(output, copies)
     write_model(policy, output / "model.pl", facts)
     summary = {
-        "nppg": version("nppg"),
-        "prolog": ask("version"),
-        "python": platform.python_version(),
-        "numpy": np.__version__,
+        **versions(),
+        "trust": domain.trusted,
         **settings(domain, bias, options, judging),
         "episodes": progress.episodes,
         **policy.sizes(),
         "seconds": round(progress.seconds, 3),
         "last": asdict(progress.curve[-1]) if progress.curve else None,
     }
-    replacing(output / "run.json", lambda path: path.write_text(json.dumps(summary, indent=2) + "\n"))
     written = [*copies, "model.pl", "run.json"]
     if progress.curve:
         replacing(output / "curve.csv", lambda path: _write_curve(path, progress.curve))
-        written += ["curve.csv", "curve.png"] if _draw(progress, output / "curve.png") else ["curve.csv"]
-    for name in set(_FILES) - set(written) if rerun else ():
+        written.append("curve.csv")
+        if ended and _draw(progress, output / "curve.png"):
+            written.append("curve.png")
+    text = json.dumps(summary, indent=2) + "\n"
+    replacing(output / "run.json", lambda path: path.write_bytes(sealed(text.encode())))
+    for name in set(FILES) - set(written) if earlier else ():
         (output / name).unlink(missing_ok=True)
     if problems:
         raise NppgError(problems.values())

@@ -5,22 +5,33 @@ from __future__ import annotations
 import math
 import tempfile
 import time
-from collections.abc import Callable
+import warnings
+from collections.abc import Callable, Mapping
+from contextlib import nullcontext, suppress
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 from nppg.bias.language_bias import LanguageBias
+from nppg.bridge.files import held, sweep
 from nppg.bridge.plain import alone
 from nppg.errors import NppgError, Problem
+from nppg.experiments import checkpoints
+from nppg.experiments.checkpoints import MINUTE, Checkpoints
 from nppg.experiments.learners import options_of
 from nppg.experiments.points import Points, is_due
 from nppg.experiments.progress import Judging, Point, Progress
-from nppg.experiments.run_files import any_reached, in_the_way, write_files
-from nppg.experiments.train import train
+from nppg.experiments.run_files import FILES, any_reached, copies_of, in_the_way, settings, write_files
+from nppg.experiments.train import learning_of
 from nppg.judging.space import Space
 from nppg.learning.options import Common
 from nppg.learning.rollouts import are_many
 from nppg.learning.training import Iteration
+from nppg.policy.copies import BEFORE, CHECKPOINT, recorded_hashes
 from nppg.worlds.domain import Domain
+from nppg.worlds.gym_domain import GymDomain
+
+_PROGRESS = ("episodes", "stage", "outcomes", "curve", "notes")  # what of it goes on with the run
 
 
 def run(
@@ -36,6 +47,8 @@ def run(
     until_return: float | None = None,
     jobs: int = 1,
     seconds: float | None = None,
+    checkpoint_every: float = MINUTE,
+    resume: bool = False,
 ) -> Progress:
     """Trains and writes the files into the folder `output`; `options` are by default, None, those of the bias.
 
@@ -49,57 +62,163 @@ def run(
 
     On KeyboardInterrupt the files are written for what has been learned, then it is raised again; after a mistake of
     the domain they are written as far as there was none before, so that nothing is lost and nothing overwritten. Raises
-    NppgError, before it starts, where a file that no run wrote stands in the way of a copy of the domain or the bias.
+    NppgError, before it starts, where a file that no run wrote stands in the way of a copy of the domain or the bias,
+    or another run is writing into the folder.
+
+    After the first episode, then every `checkpoint_every` seconds (0: never), and after the last one a checkpoint is
+    written. With `resume` the run goes on from that, and comes to what it would have come to without a break; it may be
+    given more episodes.
     """
     options = options_of(bias) if options is None else options
     judging = judging_of(domain, evaluate_every, starts, until_success, until_return, seconds)
     evaluate_every, starts = judging["evaluate_every"], judging["starts"]
+    copies = copies_of(domain, bias)
     problems = bias.check(domain.predicates, domain.actions)
-    problems += in_the_way(domain, bias, output)
+    problems += in_the_way(copies, output)
     if problems:
         raise NppgError(problems)
     make_folder(output)
-    progress: Progress | None = None
-    points: Points | None = None
-    # where several processes learn, time is the clock's, else the processor's, which has other things to do
-    now = time.perf_counter if jobs > 1 and are_many(options) else time.process_time
+    with held(output):
+        sweep(output, (*FILES, CHECKPOINT, BEFORE, *copies))
+        going = _Run(domain, bias, options, judging, output, copies, space, jobs, checkpoint_every)
+        if resume:
+            going.resume()
+        return going.go(report)
 
-    def is_over() -> bool:
-        return progress is not None and progress.seconds + now() - clock >= judging.get("seconds", math.inf)
 
-    at_once = until_success is not None or until_return is not None
-    try:
-        clock = now()
-        for iteration in train(domain, bias, options, jobs, is_over):
-            progress = progress or Progress(iteration.policy, options, judging)
-            _advance(progress, iteration, now() - clock)
-            if is_due(progress, len(iteration.recent), evaluate_every):
-                points = points or Points(progress, starts, space, 1 if at_once or are_many(options) else jobs)
-                points.draw(progress)
-            for point in points.drawn(wait=progress.is_spent) if points else ():
-                progress.curve.append(point)  # before others are told, which may end the run
-                if progress.point:
-                    report(progress)
-                progress.point = point
-            reached = _reached(progress.point, until_success, until_return)
-            progress.ended = reached or progress.is_spent
-            report(progress)
-            if progress.ended:
-                break
-            progress.point = None
-            clock = now()
-    except BaseException as error:
-        interrupted = isinstance(error, KeyboardInterrupt)
-        if progress and (interrupted or not (output / "model.pl").exists()):
-            progress.curve.extend(points.rescued() if points else ())
-            write_files(progress, bias, output)
-        raise
-    finally:
-        if points:
-            points.close()
-    assert progress is not None
-    progress.written = write_files(progress, bias, output)
-    return progress
+class _Run:
+    """A run while it goes on."""
+
+    def __init__(
+        self,
+        domain: Domain,
+        bias: LanguageBias,
+        options: Common,
+        judging: Judging,
+        output: Path,
+        copies: Mapping[str, bytes],
+        space: Space | None,
+        jobs: int,
+        checkpoint_every: float,
+    ):
+        self.bias = bias
+        self.output = output
+        self.copies = copies
+        self.settings = settings(domain, bias, options, judging)
+        self.learning = learning_of(domain, bias, options, jobs)
+        self.progress = Progress(self.learning.policy, options, judging)
+        at_once = judging["until_success"] is not None or judging["until_return"] is not None
+        beside = 1 if at_once or are_many(options) else jobs
+        self.points = partial(Points, self.progress, judging["starts"], space, beside)
+        # where several processes learn, time is the clock's, else the processor's, which has other things to do
+        self.now = time.perf_counter if jobs > 1 and are_many(options) else time.process_time
+        self.clock = self.now()
+        self.drawn: Points | None = None
+        self.checkpoints = Checkpoints(output, checkpoint_every)
+        self.earlier = recorded_hashes(output)
+        self.has_begun = False
+        self.pending: list[list] = []  # points that a checkpoint was waiting for
+
+    def go(self, report: Callable[[Progress], None]) -> Progress:
+        """Learns to the end, and writes the files."""
+        progress, judging = self.progress, self.progress.judging
+        there = (self.output / "model.pl").exists()
+        try:
+            if self.pending:
+                self.drawn = self.points()
+                self.drawn.resume(self.pending)
+            self.clock = self.now()
+            for iteration in self.learning.iterations(self.is_over):
+                self.has_begun = True
+                _advance(progress, iteration, self.now() - self.clock)
+                if is_due(progress, len(iteration.recent), judging["evaluate_every"]):
+                    self.drawn = self.drawn or self.points()
+                    self.drawn.draw(progress)
+                for point in self.drawn.drawn(wait=progress.is_spent) if self.drawn else ():
+                    progress.curve.append(point)  # before others are told, which may end the run
+                    if progress.point:
+                        report(progress)
+                    progress.point = point
+                reached = _reached(progress.point, judging["until_success"], judging["until_return"])
+                progress.ended = reached or progress.is_spent
+                report(progress)
+                if progress.ended:
+                    break
+                progress.point = None
+                self.clock = self.now()
+        except BaseException as error:
+            self._rescue(error, there)
+            raise
+        finally:
+            if self.drawn:
+                self.drawn.close()
+        self.checkpoints.end()
+        progress.written = write_files(progress, self.bias, self.output, self.copies, self.earlier)
+        return progress
+
+    def is_over(self) -> bool:
+        """Whether the episode was the last one. Where a checkpoint is due, it is written."""
+        progress = self.progress
+        seconds = progress.seconds + self.now() - self.clock
+        over = seconds >= progress.judging.get("seconds", math.inf)
+        last = over or self.learning.count == progress.options.episodes  # behind it the files are written anyway
+        if last or self.checkpoints.are_due:
+            begin = self.now()
+            bare = last or self.checkpoints.is_first
+            self.checkpoints.keep(self._saved(seconds), (lambda: None) if bare else self._write)
+            self.clock += self.now() - begin
+        return over
+
+    def _write(self) -> None:
+        write_files(self.progress, self.bias, self.output, self.copies, self.earlier, ended=False)
+
+    def _saved(self, seconds: float) -> dict[str, Any]:
+        progress = self.progress
+        return {
+            "settings": self.settings,
+            "sources": dict(self.copies),
+            "chosen": list(progress.policy.domain.chosen),
+            "count": self.learning.count,
+            "progress": [getattr(progress, name) for name in _PROGRESS],
+            "seconds": seconds,
+            "pending": self.drawn.saved() if self.drawn else [],
+            "learning": self.learning.saved(),
+        }
+
+    def resume(self) -> None:
+        """Goes on from the checkpoint in the folder. Raises NppgError."""
+        progress = self.progress
+        found = checkpoints.last(self.output, self.bias)
+        checkpoints.check(found, self.settings)
+        checkpoints.tell_versions(found)
+        saved = found.run
+
+        def go_on() -> None:
+            self.learning.resume(saved["learning"])
+            self.pending = saved["pending"]
+            for name, value in zip(_PROGRESS, saved["progress"], strict=True):
+                setattr(progress, name, value)
+            progress.seconds = saved["seconds"]
+
+        checkpoints.resumed(found.path, go_on)
+        self.checkpoints.has_good = found.path.name == CHECKPOINT
+        domain = progress.policy.domain
+        if isinstance(domain, GymDomain) and not domain.comes_back():
+            message = "leads elsewhere when it is reset to the same seed, so the run does not go on as it would have"
+            warnings.warn(f"{domain.path}: the environment {message}", stacklevel=2)
+
+    def _rescue(self, error: BaseException, there: bool) -> None:
+        """Writes what there is, as far as that can be done, when a run ends by force. What cannot be written is told
+        by the error itself."""
+        interrupted, progress = isinstance(error, KeyboardInterrupt), self.progress
+        if not self.has_begun or (there and not interrupted):
+            return
+        if interrupted and self.learning.is_settled and self.learning.count:
+            with suppress(NppgError):
+                self.checkpoints.keep(self._saved(progress.seconds + self.now() - self.clock))
+        progress.curve.extend(self.drawn.rescued() if self.drawn else ())
+        with nullcontext() if interrupted else suppress(NppgError):
+            write_files(progress, self.bias, self.output, self.copies, self.earlier)
 
 
 def judging_of(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Sequence
 from dataclasses import asdict
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -45,6 +45,12 @@ class Course(Protocol):
         """The next tree of the policy, and its step size, from what has gathered, which is over then; none where there
         was nothing to learn in it."""
 
+    def saved(self) -> dict[str, Any]:
+        """What it has gathered, to be stored between two episodes."""
+
+    def resume(self, saved: dict[str, Any]) -> None:
+        """Goes on with that; the policy has its trees already."""
+
 
 class Returns:
     """The functional gradient of the returns, or advantages (Kersting and Driessens 2008)."""
@@ -75,6 +81,15 @@ class Returns:
         self.judge.learn(self._batch)
         self._batch, self.gathered = [], 0
         return tree, eta
+
+    def saved(self) -> dict[str, Any]:
+        critic = self.judge.saved()
+        return {"gathered": self.gathered, "batch": self._batch, "memory": [*self._memory], "critic": critic}
+
+    def resume(self, saved: dict[str, Any]) -> None:
+        self.gathered, self._batch = saved["gathered"], saved["batch"]
+        self._memory.extend(saved["memory"])
+        self.judge.resume(saved["critic"])
 
 
 class SelfImitation:
@@ -127,6 +142,21 @@ class SelfImitation:
             return None
         made = compared(comparisons, policy, self.learner.table, self.options)
         return self.learner.fit(made), self.options.step_size
+
+    def saved(self) -> dict[str, Any]:
+        remembered, met = self._experience.saved([ways for ways, _ in self._met])
+        return {
+            "gathered": self.gathered,
+            "rng": dict(self._rng.bit_generator.state),
+            "experience": remembered,
+            "met": [[at, number] for at, (_, number) in zip(met, self._met, strict=True)],
+        }
+
+    def resume(self, saved: dict[str, Any]) -> None:
+        self.gathered = saved["gathered"]
+        self._rng.bit_generator.state = saved["rng"]
+        ways = self._experience.resume(saved["experience"])
+        self._met = {(ways[at], number): None for at, number in saved["met"]}
 
 
 def course_of(domain: Domain, bias: LanguageBias, options: Options) -> Course:

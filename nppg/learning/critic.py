@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from nppg.learning.regressors import Examples, regressor
 from nppg.learning.visits import Visit
 from nppg.policy.policy import Policy
 from nppg.trees.tilde import size_of
+from nppg.trees.tree import Tree
 from nppg.worlds.domain import Domain
 from nppg.worlds.world import State
 
@@ -32,6 +33,12 @@ class Critic(Protocol):
     def learn(self, visits: Sequence[Visit]) -> None:
         """Learns from visits, all of which it has judged since it learned last."""
 
+    def saved(self) -> Any:
+        """What it has learned, to be stored."""
+
+    def resume(self, saved: Any) -> None:
+        """Has learned that."""
+
 
 class MonteCarlo:
     """Values are returns: there is no critic."""
@@ -43,6 +50,12 @@ class MonteCarlo:
         return _visits(episode, returns([step.reward for step in episode.steps], self.options.discount))
 
     def learn(self, visits: Sequence[Visit]) -> None:
+        pass
+
+    def saved(self) -> None:
+        pass
+
+    def resume(self, saved: None) -> None:
         pass
 
 
@@ -89,6 +102,13 @@ class ValueFunction:
             residuals = targets - self.trees.potentials_of(answers)
             tree = self.regressor.fit(Examples(states, [STATE] * len(states), answers, residuals, unit=unit))
             self.trees.add(tree, self.options.critic_step_size)
+
+    def saved(self) -> list[Tree]:
+        return list(self.trees.trees)
+
+    def resume(self, saved: list[Tree]) -> None:
+        for tree in saved:
+            self.trees.add(tree)
 
 
 def critic(domain: Domain, bias: LanguageBias, options: Options) -> Critic:

@@ -13,6 +13,7 @@ from typing import Protocol
 import numpy as np
 
 from nppg.learning.gradient import total
+from nppg.learning.options import Options
 from nppg.policy.policy import Scores, choose, choose_best
 from nppg.worlds.state import interpretation_of
 from nppg.worlds.world import Action, State, World
@@ -113,6 +114,9 @@ def generate_episode(
     no advice, the policy acts: greedily, if it is to or does so wherever it does not learn; of its other actions the
     share `floor` is drawn uniformly. Raises NppgError where the domain's code is at fault.
     """
+    if not (type(guidance) is type(horizon_factor) is float and 0 <= guidance <= 1 and 0 <= horizon_factor < math.inf):
+        given = Options(guidance=guidance, horizon_factor=horizon_factor)
+        guidance, horizon_factor = given.guidance, float(given.horizon_factor)
     domain = policy.domain
     greedy = greedy or (policy.greedy and not learning)
     guided = guidance > 0 and bool(rng.random() < guidance)

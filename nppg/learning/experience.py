@@ -9,6 +9,7 @@ import math
 from collections import defaultdict, deque
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -118,6 +119,30 @@ class Ways:
             self._dead = set(range(len(self.states))) - alive
         return self._dead
 
+    def saved(self) -> dict[str, Any]:
+        """All that is known, to be stored."""
+        return {
+            "states": self.states,
+            "legal": self.legal,
+            "tried": self.tried,
+            "visits": self.visits,
+            "distances": self.distances,
+            "needed": self.needed,
+            "before": dict(self._before),
+            "ends": sorted(self._ends),
+        }
+
+    @staticmethod
+    def resumed(saved: dict[str, Any]) -> Ways:
+        """The ways of which that was stored."""
+        ways = Ways()
+        for name in ("states", "legal", "tried", "visits", "distances", "needed"):
+            setattr(ways, name, saved[name])
+        ways._before.update(saved["before"])
+        ways._ends.update(saved["ends"])
+        ways._numbers = {interpretation_of(state).fingerprint: at for at, state in enumerate(ways.states)}
+        return ways
+
     def comparison(self, state: int, discount: float) -> Comparison | None:
         """Of what has been tried in a state, where some of it is known to be better than the rest. An action from which
         no way is known has return 0, another one discount^distance; how much that counts grows with the episodes that
@@ -172,6 +197,20 @@ class Experience:
     def size(self) -> int:
         """How many states are remembered."""
         return sum(len(ways.states) for ways in self._ways.values())
+
+    def saved(self, others: Sequence[Ways]) -> tuple[dict[str, Any], list[int]]:
+        """All of it, to be stored, with `others` that may have been forgotten; and which of the stored ways these
+        are."""
+        number = {ways: at for at, ways in enumerate(dict.fromkeys([*self._ways.values(), *others]))}
+        statics = [static_of(interpretation_of(ways.states[0])) for ways in number]
+        stored = {"statics": statics, "known": len(self._ways), "ways": [ways.saved() for ways in number]}
+        return stored, [number[ways] for ways in others]
+
+    def resume(self, saved: dict[str, Any]) -> list[Ways]:
+        """Remembers that; all the ways that were stored."""
+        ways = [Ways.resumed(each) for each in saved["ways"]]
+        self._ways = dict(zip(saved["statics"][: saved["known"]], ways, strict=False))
+        return ways
 
     def _forget(self, last: Ways) -> None:
         while self.size > MOST:

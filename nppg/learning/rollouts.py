@@ -6,8 +6,9 @@ import time
 import warnings
 from collections import deque
 from collections.abc import Iterator, Sequence
+from functools import partial
 from types import TracebackType
-from typing import NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
@@ -36,7 +37,7 @@ class Played(NamedTuple):
 
 class Rollouts:
     """Plays episodes of a training run by their numbers, each with a generator of its own, so that it does not matter
-    who plays it. With a curriculum so many problems as are `opened` are open."""
+    who plays it. With a curriculum so many problems as are `opened` are open, while there are so many `trees`."""
 
     def __init__(
         self, policy: Policy, options: Options, curriculum: Curriculum | None = None, expert: Expert | None = None
@@ -45,6 +46,7 @@ class Rollouts:
         self.options = options
         self.curriculum = curriculum
         self.expert = expert
+        self.opened, self.trees = 0, -1
 
     def __call__(self, numbers: Sequence[int], opened: int) -> list[Played]:
         rngs = (np.random.default_rng([self.options.seed, each]) for each in numbers)
@@ -84,11 +86,7 @@ def training_episodes(
 ) -> Watched:
     """The episodes of a training run, each by the policy as it is by then; what the curriculum opens is open from the
     next one on."""
-    played = (
-        _played(policy, rng, options, curriculum, curriculum.opened if curriculum else 0, expert)
-        for _ in range(options.episodes)
-    )
-    return Watched(policy, played, options, curriculum)
+    return Watched(policy, _OneByOne(policy, rng, options, curriculum, expert), options, curriculum)
 
 
 def iterations_episodes(
@@ -97,7 +95,48 @@ def iterations_episodes(
     """The same where many episodes are played between two trees, in up to `jobs` processes, which changes nothing; what
     the curriculum opens is open from the next tree on."""
     rollouts = Rollouts(policy, options, curriculum, expert)
-    return Watched(policy, _by_iterations(rollouts, jobs), options, curriculum)
+    return Watched(policy, _ByIterations(rollouts, jobs), options, curriculum)
+
+
+class _Plays(Protocol):
+    """Plays the episodes of a run from a number on; what its next episode hangs on can be stored."""
+
+    def __call__(self, begin: int) -> Iterator[Played]: ...
+
+    def saved(self) -> Any: ...
+
+    def resume(self, saved: Any) -> None: ...
+
+
+class _OneByOne:
+    """Episodes that draw from the generator of the run."""
+
+    def __init__(
+        self,
+        policy: Policy,
+        rng: np.random.Generator,
+        options: Common,
+        curriculum: Curriculum | None,
+        expert: Expert | None,
+    ):
+        self._rng = rng
+        self._options = options
+        self._curriculum = curriculum
+        self._play = partial(_played, policy, rng, options, curriculum, expert=expert)
+        self._before: dict[str, Any] | None = None  # the generator before the episode that is being played
+
+    def __call__(self, begin: int) -> Iterator[Played]:
+        for _ in range(begin, self._options.episodes):
+            self._before = dict(self._rng.bit_generator.state)
+            played = self._play(self._curriculum.opened if self._curriculum else 0)
+            self._before = None
+            yield played
+
+    def saved(self) -> dict[str, Any]:
+        return self._before or dict(self._rng.bit_generator.state)
+
+    def resume(self, saved: dict[str, Any]) -> None:
+        self._rng.bit_generator.state = saved
 
 
 class Watched:
@@ -105,13 +144,14 @@ class Watched:
     has reached the goal, or none was rewarded where there is no goal; after SILENCE of them and at the end, whatever
     ends the run but a mistake. Raises NppgError where no episode takes a step any more."""
 
-    def __init__(self, policy: Policy, played: Iterator[Played], options: Common, curriculum: Curriculum | None):
+    def __init__(self, policy: Policy, plays: _Plays, options: Common, curriculum: Curriculum | None):
+        self.count = 0  # episodes so far
         self._policy = policy
-        self._played = played
+        self._plays = plays
         self._options = options
         self._curriculum = curriculum
-        self._count = 0
-        self._is_rewarded = self._is_silent = False
+        self._idle = 0
+        self._is_rewarded = self._is_silent = self._has_reached = False
 
     def __enter__(self) -> Iterator[Episode]:
         return self._episodes()
@@ -120,20 +160,40 @@ class Watched:
         if self._is_silent and not isinstance(error, Exception):
             self._tell("nothing has been learned")
 
+    def saved(self) -> dict[str, Any]:
+        """What is to be known of the episodes so far, and of what they have drawn."""
+        flags = (self._is_rewarded, self._is_silent, self._has_reached)
+        curriculum = self._curriculum
+        return {
+            "count": self.count,
+            "idle": self._idle,
+            "flags": flags,
+            "plays": self._plays.saved(),
+            "curriculum": curriculum and [curriculum.opened, list(curriculum.newest), curriculum.any_success],
+        }
+
+    def resume(self, saved: dict[str, Any]) -> None:
+        """Goes on from there."""
+        self.count, self._idle = saved["count"], saved["idle"]
+        self._is_rewarded, self._is_silent, self._has_reached = saved["flags"]
+        self._plays.resume(saved["plays"])
+        if self._curriculum:
+            self._curriculum.opened, self._curriculum.newest, self._curriculum.any_success = saved["curriculum"]
+
     def _episodes(self) -> Iterator[Episode]:
-        domain, curriculum, idle, reached = self._policy.domain, self._curriculum, 0, False
-        for episode, problem in self._played:
-            self._count += 1
-            idle = 0 if episode.steps else idle + 1
-            if idle == IDLE:
-                message = f"{idle} episodes took no step: their starts were goal or terminal states, or the horizon 0"
+        domain, curriculum = self._policy.domain, self._curriculum
+        for episode, problem in self._plays(self.count):
+            self.count += 1
+            self._idle = 0 if episode.steps else self._idle + 1
+            if self._idle == IDLE:
+                message = f"{IDLE} episodes took no step: their starts were goal or terminal states, or the horizon 0"
                 raise NppgError([Problem(str(domain.path), 0, 0, message)])
             self._is_rewarded = self._is_rewarded or any(step.reward for step in episode.steps)
-            reached = reached or (episode.success and bool(episode.steps))
-            self._is_silent = not (reached if domain.has_goal else self._is_rewarded)
+            self._has_reached = self._has_reached or (episode.success and bool(episode.steps))
+            self._is_silent = not (self._has_reached if domain.has_goal else self._is_rewarded)
             if curriculum and problem is not None and not episode.guided:
                 curriculum.note(problem, episode.success)
-            if self._is_silent and self._count == SILENCE and self._count < self._options.episodes:
+            if self._is_silent and self.count == SILENCE and self.count < self._options.episodes:
                 self._tell("nothing can be learned so far")
             yield episode
 
@@ -154,29 +214,43 @@ class Watched:
         wanted.append("a longer horizon (--horizon-factor 2)")
         what = "reached the goal" if domain.has_goal else "was rewarded"
         so = "" if self._is_rewarded else f": {learned}"
-        told = f"none of {self._count} episodes {what}{where}{so}. What may help: {'; '.join(wanted)}"
+        told = f"none of {self.count} episodes {what}{where}{so}. What may help: {'; '.join(wanted)}"
         warnings.warn(told, stacklevel=3)
 
 
-def _by_iterations(rollouts: Rollouts, jobs: int) -> Iterator[Played]:
-    """Of those that are played at once, the ones behind a new tree are played again, by the policy that has it."""
-    policy, options, curriculum = rollouts.policy, rollouts.options, rollouts.curriculum
-    others = Others(rollouts, 0 if policy.domain.environment else jobs - 1)
-    ready: deque[Played] = deque()
-    wanted, trees, opened = 0, -1, 0
-    try:
-        for number in range(options.episodes):
-            if len(policy.trees) != trees:
-                ready.clear()
-                wanted, trees = options.episodes_per_iteration, len(policy.trees)
-                opened = curriculum.opened if curriculum else 0
-            if not ready:
-                end = min(options.episodes, number + wanted)
-                ready += _at_once(rollouts, others, range(number, end), opened)
-                wanted = others.count + 1  # there may be enough examples with any of them
-            yield ready.popleft()
-    finally:
-        others.close()
+class _ByIterations:
+    """Of the episodes that are played at once, the ones behind a new tree are played again, by the policy that has
+    it."""
+
+    def __init__(self, rollouts: Rollouts, jobs: int):
+        self._rollouts = rollouts
+        self._jobs = jobs
+
+    def __call__(self, begin: int) -> Iterator[Played]:
+        rollouts = self._rollouts
+        policy, options, curriculum = rollouts.policy, rollouts.options, rollouts.curriculum
+        others = Others(rollouts, 0 if policy.domain.environment else self._jobs - 1)
+        ready: deque[Played] = deque()
+        wanted = options.episodes_per_iteration
+        try:
+            for number in range(begin, options.episodes):
+                if len(policy.trees) != rollouts.trees:
+                    ready.clear()
+                    wanted, rollouts.trees = options.episodes_per_iteration, len(policy.trees)
+                    rollouts.opened = curriculum.opened if curriculum else 0
+                if not ready:
+                    end = min(options.episodes, number + wanted)
+                    ready += _at_once(rollouts, others, range(number, end), rollouts.opened)
+                    wanted = others.count + 1  # there may be enough examples with any of them
+                yield ready.popleft()
+        finally:
+            others.close()
+
+    def saved(self) -> list[int]:
+        return [self._rollouts.opened, self._rollouts.trees]
+
+    def resume(self, saved: list[int]) -> None:
+        self._rollouts.opened, self._rollouts.trees = saved
 
 
 def _at_once(rollouts: Rollouts, others: Others, numbers: Sequence[int], opened: int) -> list[Played]:

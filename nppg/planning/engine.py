@@ -68,7 +68,8 @@ _FEATURES = {
 class NppgEngine(Engine, OneshotPlannerMixin):
     """Acts by the policy of a model file, which was learned in a PDDL domain, on problems of that domain: one episode,
     without search. `model`: the file; `seed`: of ties; `revisits`: whether it may come back to a state, while there is
-    another way; `horizon_factor`: how many times the domain's horizon an episode is long, by default as in training.
+    another way; `horizon_factor`: how many times the domain's horizon an episode is long, by default as in training;
+    `edited`: whether it may have been changed since it was written.
 
     Raises NppgError where the model cannot be used."""
 
@@ -78,12 +79,13 @@ class NppgEngine(Engine, OneshotPlannerMixin):
         seed: int = 0,
         revisits: bool = True,
         horizon_factor: float | None = None,
+        edited: bool = False,
     ):
         Engine.__init__(self)
         OneshotPlannerMixin.__init__(self)
         if model is None:
             raise NppgError("nppg needs a model: OneshotPlanner(name='nppg', params={'model': 'runs/NAME/model.pl'})")
-        self._policy = Policy.load(model)
+        self._policy = Policy.load(model, edited=edited)
         if not isinstance(self._policy.domain, PddlDomain):
             raise NppgError(f"{model}: the policy was not learned in a PDDL domain")
         self._domain = self._policy.domain

@@ -8,17 +8,20 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping, Sequence
+from functools import partial
 from importlib.metadata import version
 from pathlib import Path
 from typing import NamedTuple, Protocol
 
 from nppg.bias.declarations import Template, TreeLimits
 from nppg.bias.language_bias import LanguageBias
-from nppg.bridge.files import replacing, shipped
+from nppg.bridge.bounds import DATA, bounded
+from nppg.bridge.files import made, replacing, shipped
 from nppg.bridge.prolog import ask
+from nppg.bridge.seals import is_whole, opened, sealed
 from nppg.bridge.terms import ground
 from nppg.errors import NppgError, Problem, suggestion
-from nppg.policy.copies import conflicts, write_copies
+from nppg.policy.copies import CHECKPOINT, conflicts, write_copies
 from nppg.trees.clauses import from_clause
 from nppg.trees.tree import Rule, Tree, from_rules
 from nppg.worlds.domain import Domain
@@ -54,10 +57,7 @@ class Stored(NamedTuple):
 def write(policy: Writable, path: Path, facts: Sequence[tuple] = (), sentences: Sequence[Sequence[str]] = ()) -> None:
     """Writes the model, and a copy of its domain beside it, into a folder that is made if need be. Raises NppgError
     where there are `conflicts`."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise NppgError([Problem(str(path.parent), 0, 0, f"the folder cannot be made: {error.strerror}")]) from None
+    made(path.parent)
     copies = {policy.domain.path.name: policy.domain.source, **policy.domain.companions}
     if problems := conflicts(path.parent, copies, [path.name]):
         raise NppgError(problems.values())
@@ -94,25 +94,28 @@ def write_model(
     comments = [[each] for each in policy.comments]
     if sentences:
         comments = [[*comment, *said] for comment, said in zip(comments, sentences, strict=True)]
-    replacing(
-        path,
-        lambda temporary: ask("save", str(temporary), domain.name, domain.path.name, entries, policy.name, comments),
-    )
+    clauses = policy.name
+
+    def write_to(temporary: Path) -> None:
+        try:
+            ask("save", str(temporary), domain.name, domain.path.name, entries, clauses, comments)
+        except NppgError as error:
+            raise NppgError([Problem(str(path), 0, 0, f"cannot be written: {error}")]) from None
+        temporary.write_bytes(sealed(temporary.read_bytes()))
+
+    replacing(path, write_to)
 
 
-def read(path: Path, parameters: Mapping[str, int | float | str]) -> Stored:
+def read(
+    path: Path, parameters: Mapping[str, int | float | str], trust: bool | None = None, edited: bool = False
+) -> Stored:
     """Reads a model. Its domain is the copy beside it, else the shipped one of that name.
 
-    Raises NppgError for what is no model, is cut off, or uses an action or a predicate that it does not declare
-    or its domain does not have; warns where the domain is `another_domain`.
+    Raises NppgError for what is no model, is not as it was signed and not said to be `edited`, is cut off, or uses an
+    action or a predicate that it does not declare or its domain does not have; warns where the domain is
+    `another_domain`.
     """
-    try:
-        path.open("rb").close()
-    except OSError as error:
-        raise NppgError([Problem(str(path), 0, 0, f"cannot be read: {error.strerror}")]) from None
-    if path.suffix == ".pddl":
-        raise NppgError([Problem(str(path), 0, 0, "is PDDL and no model: nppg train writes one")])
-    facts, _, domain_file, clauses = ask("model", str(path))
+    facts, domain_file, clauses = opened(path, lambda _: parsed(path), edited, partial(_anew, path))
     known: dict[str, list] = {}
     for key, value in facts:
         known.setdefault(key, []).append(ground(value))
@@ -124,7 +127,8 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Stored:
     shipped_file = shipped("domains") / domain_file
     if not beside.is_file() and not shipped_file.is_file():
         raise _wrong(path, 1, f"the model's domain is missing: {domain_file} has to stand beside it")
-    domain = open_domain(beside if beside.is_file() else shipped_file.stem, {**_parameters(path, known), **parameters})
+    given = {**_parameters(path, known), **parameters}
+    domain = open_domain(beside if beside.is_file() else shipped_file.stem, given, trust=trust)
     bias = _bias(path, known, domain)
     trees = [
         from_rules(rules, bias.forms.deciding_tests)
@@ -133,6 +137,22 @@ def read(path: Path, parameters: Mapping[str, int | float | str]) -> Stored:
     for problem in another_domain(path, domain, known):
         warnings.warn(str(problem), stacklevel=3)
     return Stored(domain, bias, trees, known)
+
+
+def parsed(path: Path) -> tuple[list, str, list]:
+    """The facts, the domain's file and the rules of a model. Raises NppgError where it has not the form of one."""
+    if path.suffix == ".pddl":
+        raise NppgError([Problem(str(path), 0, 0, "is PDDL and no model: nppg train writes one")])
+    bounded(path.read_bytes(), str(path), DATA)
+    facts, _, domain_file, clauses = ask("model", str(path))
+    return facts, domain_file, clauses
+
+
+def _anew(path: Path) -> str:
+    """How a run's model can be had again, where its checkpoint is whole."""
+    if path.name != "model.pl" or not is_whole(path.with_name(CHECKPOINT)):
+        return ""
+    return f"nppg train --resume {path.parent} writes it anew from the checkpoint there; "
 
 
 def another_domain(path: Path, domain: Domain, facts: Mapping[str, list]) -> list[Problem]:

@@ -14,7 +14,8 @@ import numpy as np
 from nppg.answers.coverage import table_of
 from nppg.answers.table import Table, TestTable
 from nppg.bias.language_bias import LanguageBias
-from nppg.bridge.prolog import ask, drop_with
+from nppg.bridge.plain import number
+from nppg.bridge.prolog import ask, drop_with, exclusively
 from nppg.bridge.terms import Ground, compounds, plain
 from nppg.errors import NppgError, Problem, suggestion
 from nppg.logic.query import Var
@@ -36,6 +37,7 @@ class Scores(NamedTuple):
     probabilities: np.ndarray
 
 
+@exclusively("add", "name", "answers", "potentials_of", "preferred", "prefer", "prolog_potentials", "rules", "save")
 class Policy:
     """Psi_m = Psi_{m-1} + eta_m h_m, and pi(s, a) = exp Psi(s, a) / sum_b exp Psi(s, b).
 
@@ -56,8 +58,11 @@ class Policy:
         self._open()
 
     def add(self, tree: Tree, step_size: float = 1.0, comment: str = "") -> None:
-        """Adds step_size * tree to the potential."""
+        """Adds step_size * tree to the potential. Raises NppgError where that would not be finite."""
+        step_size = number("the step size", step_size)
         scaled = mapped(tree, lambda value: float(value * step_size))
+        for rule in rules(scaled):
+            number("the value of a leaf", rule.value)
         self._store(scaled)
         self.trees.append(scaled)
         self.comments.append(comment or f"{leaves(tree)} leaves")
@@ -197,10 +202,17 @@ class Policy:
         model.write(self, Path(path), facts, sentences)
 
     @classmethod
-    def load(cls, path: str | Path, parameters: dict | None = None) -> Policy:
-        """Reads a model file, as data. `parameters` change those of its domain. A learner whose policies are more than
+    def load(
+        cls,
+        path: str | Path,
+        parameters: dict | None = None,
+        trust: bool | None = None,
+        edited: bool = False,
+    ) -> Policy:
+        """Reads a model file, as data. `parameters` change those of its domain; one that was changed since it was
+        written is refused, unless it is `edited` on purpose. A learner whose policies are more than
         their trees says how its files are read by an entry point `nppg.learners` of its own name. Raises NppgError."""
-        domain, bias, trees, facts = model.read(Path(path), parameters or {})
+        domain, bias, trees, facts = model.read(Path(path), parameters or {}, trust, edited)
         policy = cls(domain, bias, table_of([test for tree in trees for test in tests(tree)], domain, bias))
         policy.facts = facts
         for tree in trees:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 from statistics import fmean
+from typing import Any
 
 import numpy as np
 
@@ -56,6 +57,20 @@ class _Held:
         """Takes an instance over."""
         self.instances.store(number, value)
         self.met[number] = (state, action)
+
+    def saved(self) -> dict[str, Any]:
+        """All of it, to be stored. The numbers of classes are another process's affair: pairs stand for them."""
+        places = {number: at for at, number in enumerate(self.met)}
+        classes = [places[each] for each in self.instances.pairs.tolist()]
+        met = list(self.met.values())
+        return {"met": met, "classes": classes, "seen": self.seen, "instances": self.instances.saved()}
+
+    def resume(self, saved: dict[str, Any], distance: PairDistance) -> None:
+        """Goes on with that."""
+        numbers = [int(distance.describe(state, [action])[0]) for state, action in saved["met"]]
+        self.met = dict(zip(numbers, saved["met"], strict=True))
+        self.seen = saved["seen"]
+        self.instances.resume([numbers[at] for at in saved["classes"]], saved["instances"])
 
 
 class InstanceTree:
@@ -144,6 +159,15 @@ class InstanceTree:
                     ("instance", ("instance", rule, action, value, ("state", *static_of(state).facts, *state)))
                 )
         return policy, facts
+
+    def saved(self) -> dict[str, Any]:
+        return {"tree": self.tree.saved(), "leaves": [leaf.saved() for leaf in self.leaves]}
+
+    def resume(self, saved: dict[str, Any]) -> None:
+        self.tree.resume(saved["tree"])
+        self.leaves = [_Held(self.distance, self.options) for _ in saved["leaves"]]
+        for leaf, each in zip(self.leaves, saved["leaves"], strict=True):
+            leaf.resume(each, self.distance)
 
 
 def restored(policy: Policy, path: Path) -> QFunction:

@@ -12,7 +12,8 @@ numbers, as they stand here, are choices of nppg, the paper's own being unknown.
 
 from __future__ import annotations
 
-from typing import Protocol
+from collections.abc import Sequence
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -130,6 +131,22 @@ class Instances:
             raise ValueError(f"there is room for {self.options.max_instances} instances only")
         self.unit = max(self.unit, abs(value))
         self._append(pair, value, self._distances(np.array([pair]))[0])
+
+    def saved(self) -> dict[str, Any]:
+        """The instances with all that is known of them, to be stored, but for their classes."""
+        size = self._size
+        weights = self._weights[:size, :size]
+        values = self._values[:size]
+        return {"unit": self.unit, "values": values, "weights": weights, "sums": self._contributions.saved()}
+
+    def resume(self, pairs: Sequence[int], saved: dict[str, Any]) -> None:
+        """Holds these, which are of the classes `pairs`."""
+        self.unit, self._size = saved["unit"], len(pairs)
+        self._pairs[: self._size], self._values[: self._size] = pairs, saved["values"]
+        self._weights[: self._size, : self._size] = saved["weights"]
+        self._contributions.resume(saved["sums"])
+        for place in range(self._size):
+            self._take(place)
 
     def _is_news(self, error: float, distances: np.ndarray) -> bool:
         """Whether an example is so badly predicted that it should be stored: its error is more than `global_deviation`

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from itertools import count
+from typing import Any
 
 import numpy as np
 
@@ -57,6 +58,16 @@ class NumberedTree:
         self._tree = tree
         self._forest = Forest()
         self._forest.add(tree, self.table.place)
+
+    def saved(self) -> dict[str, Any]:
+        """The tree and the tests of its table, to be stored."""
+        return {"tree": self._tree, "queries": self.queries, "depths": self.depths, "tests": list(self.table.tests)}
+
+    def resume(self, saved: dict[str, Any]) -> None:
+        """Is that tree."""
+        self.table.add(saved["tests"])
+        self.queries, self.depths = saved["queries"], saved["depths"]
+        self._grow(saved["tree"])
 
     def with_values(self, value_of: Callable[[int], float]) -> Tree:
         """The tree with a value in each leaf."""

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
 from nppg.answers.table import Table
+from nppg.bridge.prolog import exclusively
 from nppg.policy.gibbs import best, gibbs
 from nppg.policy.policy import Policy
 from nppg.rrl.options import QOptions
@@ -47,7 +48,14 @@ class Regressor(Protocol):
     def stored(self) -> tuple[Policy, list[tuple]]:
         """A policy of one tree, and facts that say with it what is predicted."""
 
+    def saved(self) -> dict[str, Any]:
+        """All that it has learned, to be stored."""
 
+    def resume(self, saved: dict[str, Any]) -> None:
+        """Goes on with that, in place of having learned nothing."""
+
+
+@exclusively("answers", "potentials_of")
 class QFunction(Policy):
     """Explores by its Q while it learns, and is greedy elsewhere."""
 

@@ -7,6 +7,8 @@ just come.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 _ROWS = 64  # of a square matrix that are worked on together, so that they stay in the processor's cache
@@ -107,6 +109,14 @@ class Contributions:
     def _seen(self, values: np.ndarray | float) -> np.ndarray:
         """Values as `error_contributions` sees them."""
         return np.asarray(values).astype(self._weights.dtype).astype(float)
+
+    def saved(self) -> dict[str, Any]:
+        """What has been added up, to be stored: in another order the sums would be rounded in another way."""
+        return {"sums": self._sums, "largest": self._largest, "products": self._products}
+
+    def resume(self, saved: dict[str, Any]) -> None:
+        """Goes on with that."""
+        self._sums, self._largest, self._products = saved["sums"], saved["largest"], saved["products"]
 
     def add(self, last: int) -> None:
         """An instance has come to the place `last`, behind all others."""

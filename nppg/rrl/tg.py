@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -107,6 +108,18 @@ class TG:
         policy = Policy(self.table.domain, self.table.bias, self.table)
         policy.add(self.tree.with_values(lambda leaf: self.statistics[leaf].mean))
         return policy, [("learner", self.options.learner)]
+
+    def saved(self) -> dict[str, Any]:
+        statistics = [[each.whole, each.by_test] for each in self.statistics]
+        return {"tree": self.tree.saved(), "statistics": statistics, "unit": self.unit}
+
+    def resume(self, saved: dict[str, Any]) -> None:
+        self.tree.resume(saved["tree"])
+        self.unit = saved["unit"]
+        self.statistics = []
+        for whole, by_test in saved["statistics"]:
+            self.statistics.append(Statistics(whole, by_test.shape[2]))
+            self.statistics[-1].by_test = by_test
 
 
 def restored(policy: Policy, path: Path) -> Policy:

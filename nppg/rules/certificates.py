@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 
 from nppg.bridge.files import replacing
+from nppg.bridge.seals import opened, sealed
 from nppg.errors import NppgError, Problem
 
 
@@ -18,29 +20,33 @@ class Certificate:
 
     def save(self, path: Path) -> None:
         """Writes the certificate, as JSON."""
-        replacing(path, lambda temporary: temporary.write_text(_text(self)))
+        replacing(path, lambda temporary: temporary.write_bytes(sealed(_text(self).encode())))
 
 
 def _text(proof: Certificate) -> str:
     return json.dumps(asdict(proof), indent=1) + "\n"  # type: ignore[call-overload]
 
 
-def check_certificate(certificate: Path, proof: Certificate) -> None:
-    """Raises NppgError where a certificate says anything else than this proof of the policy as it is now."""
-    try:
-        claimed = json.loads(certificate.read_text())
-    except OSError as error:
-        raise NppgError([Problem(str(certificate), 0, 0, f"cannot be read: {error.strerror}")]) from None
-    except (ValueError, RecursionError):
-        claimed = None
-    if not isinstance(claimed, dict) or "model_sha256" not in claimed:
-        raise NppgError([Problem(str(certificate), 0, 0, "this is no certificate of nppg")])
+def check_certificate(certificate: Path, proof: Certificate, edited: bool = False) -> None:
+    """Raises NppgError where a certificate says anything else than this proof of the policy as it is now, or is not as
+    it was signed and not said to be `edited`."""
+    claimed = opened(certificate, partial(_claimed, certificate), edited)
     proved = json.loads(_text(proof))
     wrong = [name for name in (proved | claimed) if not _agree(claimed.get(name), proved.get(name))]
     if wrong:
         names = ", ".join(name.removesuffix("_sha256") for name in wrong)
         message = f"the certificate says something else than the proof of this policy about: {names}"
         raise NppgError([Problem(str(certificate), 0, 0, message)])
+
+
+def _claimed(certificate: Path, content: bytes) -> dict:
+    try:
+        claimed = json.loads(content)
+    except (ValueError, RecursionError):
+        claimed = None
+    if not isinstance(claimed, dict) or "model_sha256" not in claimed:
+        raise NppgError([Problem(str(certificate), 0, 0, "this is no certificate of nppg")])
+    return {name: value for name, value in claimed.items() if name != "sha256"}  # which an editor may have moved
 
 
 def _agree(one: object, other: object) -> bool:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from nppg.bridge.files import file_hash
+from nppg.bridge.seals import content_hash
 from nppg.bridge.terms import texts
 from nppg.errors import NppgError
 from nppg.judging.chain import reaching
@@ -110,7 +110,7 @@ def prove_problems(
         proven.append(proof)
         report(proof)
     return ProblemsProof(
-        version("nppg"), file_hash(model), domain.hash, domain.parameters, greedy, everywhere, tuple(proven)
+        version("nppg"), content_hash(model), domain.hash, domain.parameters, greedy, everywhere, tuple(proven)
     )
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from nppg.bridge.files import file_hash
+from nppg.bridge.seals import content_hash
 from nppg.errors import NppgError
 from nppg.judging.evaluation import ExactEvaluator
 from nppg.judging.space import Space
@@ -62,7 +62,7 @@ def prove(policy: Policy, model: Path, greedy: bool = True, space: Space | None 
     failing = np.flatnonzero(space.running & ~judge.certain(greedy))
     return Proof(
         version("nppg"),
-        file_hash(model),
+        content_hash(model),
         policy.domain.hash,
         policy.domain.parameters,
         greedy,

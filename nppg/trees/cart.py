@@ -17,6 +17,7 @@ from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import KIND, closed, is_open
 from nppg.errors import NppgError
 from nppg.logic.query import Literal, Query, Var, substitute, variables
+from nppg.trees.given import must_be_finite
 from nppg.trees.tilde import Newton, is_pure, is_significant, leaf, size_of
 from nppg.trees.tree import Node, Tree
 
@@ -47,6 +48,7 @@ def grow(
     """Grows a tree for one target per row of answers: of means, or for a second-order step; below `query`, which holds
     for all. The splits of the latter are those of the targets f / h weighted by h; `regularisation` and `clip` are a
     matter of the leaves. `unit` is as in TILDE. Raises NppgError as scikit_learn() does."""
+    must_be_finite("the target", targets)
     unfitted, unit = scikit_learn(limits), size_of(targets) if unit is None else unit
     every = np.arange(len(targets))
     if limits.max_depth == 0 or rows.size == 0:

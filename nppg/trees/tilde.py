@@ -18,6 +18,7 @@ from nppg.bias.declarations import TreeLimits
 from nppg.bias.language_bias import LanguageBias
 from nppg.bias.refinement import Refiner
 from nppg.logic.query import Query
+from nppg.trees.given import given, must_be_finite
 from nppg.trees.tree import Leaf, Node, Tree, mapped
 from nppg.worlds.domain import Domain
 from nppg.worlds.world import Action, State
@@ -35,12 +36,12 @@ class Example(NamedTuple):
 
 
 def fit(examples: Sequence[Example], domain: Domain, bias: LanguageBias) -> Tree:
-    """Grows a tree from examples; those of one state should stand together. Limits are the bias's."""
+    """Grows a tree from examples; those of one state should stand together. Limits are the bias's.
+    Raises NppgError for what is no example."""
     refiner = Refiner(bias)
-    states, actions = [each.state for each in examples], [each.action for each in examples]
+    states, actions, targets = given(examples, domain)
     coverage = Coverage(root_table(domain, bias, refiner), states, actions)
-    targets = np.array([each.value for each in examples], float)
-    mean = math.fsum(targets.tolist()) / max(len(targets), 1)  # far from 0, sums of squares would cancel
+    mean = math.fsum(targets.tolist()) / len(targets)  # far from 0, sums of squares would cancel
     return mapped(grow(targets - mean, coverage, refiner, bias.tree), lambda value: value + mean)
 
 
@@ -67,6 +68,9 @@ def grow(
     root's: it holds for all examples. What is a gain at all is judged in the targets' `unit`, which is their size
     unless it is given: so the tree does not hang on how rewards are scaled."""
     unit = size_of(targets) if unit is None else unit
+    must_be_finite("the target", targets)
+    if newton:
+        must_be_finite("the curvature", newton.curvatures)
 
     def node(query: Query, members: np.ndarray, known: Known, depth: int) -> Tree:
         values = targets[members]

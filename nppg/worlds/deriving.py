@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
+from nppg.bridge.files import write_files
 from nppg.errors import NppgError
 from nppg.features.derived import Derived, Words
 from nppg.features.selection import candidates, extensions, text
@@ -27,9 +28,9 @@ def worth_testing(domain: Domain, bias: LanguageBias) -> list[Derived]:
     found = candidates(domain.module, bias, Words.of(bias, domain.fluents, domain.static, domain.predicates))
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, domain.path.name)
-        file.write_bytes(domain.source + text(found).encode())
+        write_files(file.parent, {file.name: domain.source + text(found).encode(), **domain.used})
         try:
-            seen = _seen(Domain(file, domain.given), _starts(domain), found)
+            seen = _seen(Domain(file, domain.given, domain.trusted), _starts(domain), found)
         except NppgError as error:
             own = (replace(each, file=str(domain.path)) if each.file == str(file) else each for each in error.problems)
             raise NppgError(own) from None

@@ -7,52 +7,54 @@ docs/domains.md is the reference of domain files.
 from __future__ import annotations
 
 import copy
-import hashlib
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from nppg.bridge.files import locate
-from nppg.bridge.plain import alone
-from nppg.bridge.prolog import ask, randomness
-from nppg.bridge.terms import Ground, compounds, ground, plain
+from nppg.bridge.bounds import checked
+from nppg.bridge.files import locate, sha256
+from nppg.bridge.plain import alone, named
+from nppg.bridge.prolog import ask, exclusively, randomness
+from nppg.bridge.terms import Ground, compounds, ground
 from nppg.errors import NppgError, Problem
 from nppg.worlds.legal import LegalActions
 from nppg.worlds.loaded import Loaded
 from nppg.worlds.problems import BESIDE, Problems, numbered, problems_in, problems_text
 from nppg.worlds.state import Interpretation, facts_of, static_facts
+from nppg.worlds.trust import trusting
 from nppg.worlds.world import Action, Outcome, Situation, State
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
 
-def named(parameters: Mapping[str, int | float | str] | None) -> dict[str, int | float | str]:
-    """Parameters as Prolog has them: NumPy's numbers are numbers, True and False are the names true and false."""
-    values = {name: alone(value) for name, value in (parameters or {}).items()}
-    return {name: str(value).lower() if isinstance(value, bool) else value for name, value in values.items()}
-
-
+@exclusively("start", "problem", "problems", "situation", "horizon", "observe", "expert_actions", "act", "outcomes")
+@exclusively("cost", "reward", "neighbours", "picture", "parts", "binding", "kinds", "interpreted", "visit")
 class Domain:
     """An instance of a domain file with its parameters; it has its own module in Prolog until it is dropped.
 
-    Its copies share the module, because all that they are asked is about a state that they are given. Pickled it takes
-    the text of its file along.
-
-    `name_or_path` is a shipped domain's name or a file. Raises NppgError with every mistake that can be found
-    in the file, and from all methods for mistakes that show only when the domain's code runs.
+    Threads may share it. Its copies share the module, because all that they are asked is about a state that they are
+    given. Pickled it takes the texts of its files along. `name_or_path` is a shipped domain's name or a file, which may
+    do anything if it is to `trust`; see nppg.worlds.trust. Raises NppgError with every mistake that can be found in the
+    file, and from all methods for mistakes that show only when the domain's code runs.
     """
 
-    def __init__(self, name_or_path: str | Path, parameters: Mapping[str, int | float | str] | None = None):
+    def __init__(
+        self,
+        name_or_path: str | Path,
+        parameters: Mapping[str, int | float | str] | None = None,
+        trust: bool | None = None,
+    ):
+        self.trusted = trusting(trust)
         self.path = locate(name_or_path, "domains", ".pl")
         self.given = named(parameters)
         try:
             self.source = self.path.read_bytes()
         except OSError as error:
             raise NppgError([Problem(str(self.path), 0, 0, f"cannot be read: {error.strerror}")]) from None
-        self._loaded = Loaded(self.path, self.given, self.source)
+        self._loaded = Loaded(self.path, self.given, self.source, self.trusted)
         description = self._loaded.description
         self.name: str = description["name"]
         self.parameters: dict[str, int | float | str] = dict(description["parameters"])
@@ -88,19 +90,25 @@ class Domain:
 
     @property
     def is_countable(self) -> bool:
-        """Whether it is for exact evaluation, if it has few enough states: it declares a uniform start, has a goal, is
-        seen as it is, and all its facts are in its states."""
+        """Whether it is for exact evaluation, if its states are few: it starts uniformly, has a goal, is seen whole."""
         return self.uniform_start and self.has_goal and not (self.has_observation or self.static or self.chosen)
 
     @property
     def hash(self) -> str:
-        """SHA-256 of the file as it was loaded, in hexadecimal."""
-        return hashlib.sha256(self.source).hexdigest()
+        """SHA-256 of the file as it was loaded, in hexadecimal; of those that it uses, too, with their names."""
+        used = "".join(f"\n{name} {sha256(data)}" for name, data in sorted(self.used.items()))
+        return sha256(self.source + used.encode())
+
+    @property
+    def used(self) -> Mapping[str, bytes]:
+        """The files that it is continued in, contents by their names from its folder."""
+        return self._loaded.used
 
     def state(self, text: str) -> State:
         """The state of these facts, written as Prolog has them: "on(b1, b2), on(b2, floor)". Raises NppgError for what
         is no text of ground facts of declared fluents."""
         known = [f"{name}/{arity}" for name, arity in self.fluents | self.static]
+        checked(f"[{text}]", "the state")
         static, facts = ask("state_of", self.module, text.strip().removesuffix("."), known)
         return Interpretation(ground(facts), static_facts(ground(static)))
 
@@ -188,12 +196,12 @@ class Domain:
 
     @property
     def companions(self) -> Mapping[str, bytes]:
-        """The files beside its own that it needs, contents by name: those of the problems that it was given."""
+        """The files beside its own that it needs, contents by name: those that it is continued in, and that of the
+        problems that it was given."""
         if self._problems is None or not self._problems.given:
-            return {}
-        chosen = self.chosen or self.problems
-        text = problems_text((self.problems[number], self.problem(number)) for number in chosen)
-        return {f"{self.path.stem}{BESIDE}": text.encode()}
+            return self.used
+        text = problems_text((self.problems[each], self.problem(each)) for each in self.chosen or self.problems)
+        return {**self.used, f"{self.path.stem}{BESIDE}": text.encode()}
 
     def _no_problem(self, number: int) -> NppgError:
         known = list(self.problems)
@@ -233,12 +241,12 @@ class Domain:
         """Takes an action: the reward, and the state that it leads to; its situation, `lean` or not, comes along."""
         self.visit(state)
         with randomness(rng):
-            return self._loaded.act(self.interpreted(state), plain([action])[0], lean)
+            return self._loaded.act(self.interpreted(state), self._loaded.action(action), lean)
 
     def outcomes(self, state: State, actions: Sequence[Action]) -> list[list[Outcome]]:
         """What each of these legal actions may lead to."""
         self.visit(state)
-        return self._loaded.outcomes(self.interpreted(state), plain(actions))
+        return self._loaded.outcomes(self.interpreted(state), [*map(self._loaded.action, actions)])
 
     def certain(self, state: State, action: Action) -> State | None:
         """The state that an action leads to, None where that is left to chance."""
@@ -248,12 +256,12 @@ class Domain:
     def cost(self, state: State, action: Action) -> float:
         """What an action costs in the state: 1, unless the domain defines cost/2."""
         self.visit(state)
-        return ask("cost_of", self.module, *plain([action]))
+        return ask("cost_of", self.module, self._loaded.action(action))
 
     def reward(self, state: State, action: Action) -> float:
         """The reward for an action that has just led to the state."""
         self.visit(state)
-        return ask("reward_of", self.module, *plain([action]))
+        return ask("reward_of", self.module, self._loaded.action(action))
 
     def neighbours(self, state: State) -> list[tuple[Action, list[Outcome]]]:
         """Every legal action, also of a goal or terminal state, with all its outcomes."""

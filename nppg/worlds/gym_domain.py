@@ -19,13 +19,15 @@ import numpy as np
 
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.interrupts import heed_interrupt
+from nppg.bridge.plain import named
 from nppg.bridge.terms import Compound, plain
 from nppg.errors import NppgError, Problem
 from nppg.worlds import gym_values
-from nppg.worlds.domain import Domain, named
+from nppg.worlds.domain import Domain
 from nppg.worlds.gym_files import bias_text, domain_text
 from nppg.worlds.gym_make import Made, make, told
 from nppg.worlds.state import Interpretation
+from nppg.worlds.trust import HOW_TO_TRUST
 from nppg.worlds.world import Action, Outcome, Situation, State
 
 if TYPE_CHECKING:
@@ -54,9 +56,13 @@ class GymDomain(Domain):
         path: str | Path,
         parameters: Mapping[str, int | float | str] | None = None,
         made: Made | None = None,
+        trust: bool | None = None,
     ):
         given = named(parameters)
-        super().__init__(path, given)
+        super().__init__(path, given, trust)
+        if ":" in self.environment and not (made or self.trusted):
+            message = f"{self.environment} names a module of Python to load{HOW_TO_TRUST}"
+            raise NppgError([Problem(str(self.path), 0, 0, message)])
         self.parameters = {**given, **self.parameters}
         self.generated = made is not None  # its file, which has no place then
         self._made = made or make(self.environment, self.parameters)
@@ -115,6 +121,10 @@ class GymDomain(Domain):
         except gym_values.Unfit as unfit:
             raise self._mistake(unfit) from None
         return self._state
+
+    def comes_back(self) -> bool:
+        """Whether a seed leads to the same start twice, as far as one shows."""
+        return self.start(np.random.default_rng(0)) == self.start(np.random.default_rng(0))
 
     def situation(self, state: State, lean: bool = False) -> Situation:
         """`terminal` once the environment has terminated the episode, else its actions, or those that its mask allows;

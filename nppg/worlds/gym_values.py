@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from nppg.bridge.plain import alone
+from nppg.bridge.plain import LARGEST, alone
 
 _SHOWN = 80  # characters of a value that a message has
 
@@ -23,7 +23,7 @@ def number(what: str, value: Any) -> float:
         found = value if type(value) is float else float(alone(value))
     except Exception:  # whatever the code of its class may raise
         found = np.nan
-    if isfinite(found):
+    if -LARGEST <= found <= LARGEST:
         return found
     raise _unfit(what, value, "is no finite number")
 

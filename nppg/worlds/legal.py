@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import overload
 
-from nppg.bridge.prolog import ask
+from nppg.bridge.prolog import ask, exclusively
 from nppg.bridge.terms import compounds
 from nppg.worlds.loaded import Loaded
 from nppg.worlds.world import Action, State
 
 
+@exclusively("all", "__getitem__", "__len__")
 class LegalActions(Sequence[Action]):
     """The legal actions of a state in a loaded domain file. `serial`: under which Prolog may still keep them, the state
     being current. `count`: how many there are, -1 where that is not known."""

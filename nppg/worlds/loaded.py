@@ -3,34 +3,40 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from operator import is_
 from pathlib import Path
 from weakref import WeakValueDictionary
 
-from nppg.bridge.prolog import ask, check_thread, drop_with
-from nppg.bridge.terms import Ground, compounds, ground, plain
+from nppg.bridge.bounds import bounded
+from nppg.bridge.files import write_files
+from nppg.bridge.prolog import ask, drop_with
+from nppg.bridge.terms import Compound, Ground, compounds, ground, plain, texts
+from nppg.errors import NppgError, Problem, suggestion
 from nppg.worlds.state import (
     NOTHING,
     FactNumbers,
     Interpretation,
     Static,
-    facts_of,
     interpretation_of,
     static_facts,
-    static_of,
 )
 from nppg.worlds.world import Outcome
+
+_TRUTH = {True: "true", False: "false"}
 
 
 class Loaded:
     """A loaded domain file: its module in Prolog, which stays until the last Domain of it is dropped, and which of the
     states that these Domains visit is the current one."""
 
-    def __init__(self, path: Path, given: Mapping[str, int | float | str], source: bytes):
-        self.origin = (path, given, source)
-        self.module, entries = ask("load", str(path.resolve()), [list(each) for each in given.items()])
+    def __init__(self, path: Path, given: Mapping[str, int | float | str], source: bytes, trust: bool):
+        if not trust:
+            ask("dictionaries", _TRUTH[bounded(source, str(path))])
+        self.module, entries = ask("load", str(path.resolve()), [list(each) for each in given.items()], _TRUTH[trust])
         drop_with(self, "unload", self.module)
+        self.used = {name: Path(file).read_bytes() for name, file in ask("used_files", self.module)}
+        self.origin = (path, given, source, trust, self.used)
         self.description = dict(entries)
         self.current: Sequence[Ground] | None = None
         self.situation: list | None = None  # that of the current state, where it is known
@@ -40,6 +46,8 @@ class Loaded:
         self._table = ""  # the one that has been asked about these, and is likely to be asked in the next state, too
         self._static: WeakValueDictionary[int, Static] = WeakValueDictionary()
         self._names = {tuple(each) for each in self.description["static"]}
+        self._actions = {tuple(each) for each in self.description["actions"]}  # empty where they cannot be told
+        self._declared = self._names | {tuple(each) for each in self.description["fluents"]}
         self._made: tuple[object, Interpretation] = (None, Interpretation())  # what `interpreted` has been asked last
 
     def number(self, static: Static) -> int:
@@ -59,17 +67,35 @@ class Loaded:
 
     def interpreted(self, state: Sequence[Ground]) -> Interpretation:
         """A state as an Interpretation: one that somebody has made of facts may have static ones among them."""
-        if type(state) is Interpretation or not self._names:
-            return interpretation_of(state)
-        if self._made[0] is not state:
-            facts = interpretation_of(state).facts
-            static = [each for each in facts if self._is_static(each)]
-            own = [each for each in facts if not self._is_static(each)]
+        if type(state) is Interpretation:
+            return state
+        if self._made[0] is not state or not isinstance(state, tuple):  # others may have changed
+            found = interpretation_of(state)
+            self.must_be_declared(found)
+            static = [each for each in found if _indicator(each) in self._names]
+            own = [each for each in found if _indicator(each) not in self._names]
             self._made = (state, Interpretation(own, static_facts(static)))
         return self._made[1]
 
-    def _is_static(self, fact: Ground) -> bool:
-        return ((fact[0], len(fact) - 1) if isinstance(fact, tuple) else (fact, 0)) in self._names
+    def must_be_declared(self, state: Interpretation) -> None:
+        """Raises NppgError where a fact of a state is of no declared fluent, as those of another domain are."""
+        if not {*map(_indicator, state.facts)} <= self._declared:
+            wrong = next(each for each in state.facts if _indicator(each) not in self._declared)
+            raise self._unknown(wrong, "fact of a fluent", self._declared)
+
+    def action(self, action: Ground) -> Ground:
+        """An action that somebody may have made. Raises NppgError for what is none of the domain's kinds."""
+        if type(action) is not Compound:
+            (action,) = plain([action])
+            if self._actions and _indicator(action) not in self._actions:
+                raise self._unknown(action, "action", self._actions)
+        return action
+
+    def _unknown(self, term: Ground, what: str, declared: Iterable[tuple[Ground, int]]) -> NppgError:
+        known = sorted(f"{name}/{arity}" for name, arity in declared)
+        near = suggestion("{}/{}".format(*_indicator(term)), known) or f"; it has {', '.join(known)}"
+        shown = texts([term])[0] if isinstance(term, str | tuple) else term
+        return NppgError([Problem(str(self.origin[0]), 0, 0, f"{shown} is no {what} of the domain{near}")])
 
     def begun(self, question: str, *args: int) -> Interpretation | None:
         """The state that a question makes current, which answers with its static facts' number and its facts."""
@@ -89,9 +115,8 @@ class Loaded:
 
     def visit(self, state: Sequence[Ground]) -> None:
         """Makes a state current in Prolog."""
-        check_thread()  # what is remembered of the current state is not to be seen while it changes
         before = self.current
-        if state is before:
+        if state is before and state is not None:
             return
         self.forget()
         change = None
@@ -100,9 +125,10 @@ class Loaded:
         if change:
             ask("step", self.module, *map(list, change))
         else:
-            own = self.interpreted(state) if self._names else state
-            ask("visit", self.module, self.number(static_of(own)), facts_of(own))
-        self.current = state
+            own = self.interpreted(state)
+            self.must_be_declared(own)
+            ask("visit", self.module, self.number(own.static), list(own.facts))
+        self.current = state if isinstance(state, tuple | Interpretation) else None  # others may be changed
 
     def act(self, before: Interpretation, action: Ground, lean: bool) -> tuple[float, Interpretation]:
         """The reward for an action in the current state `before`, and the state that it leads to, which becomes the
@@ -187,14 +213,20 @@ class Loaded:
         return _loaded_again, self.origin
 
 
-def _loaded_again(path: Path, given: Mapping[str, int | float | str], source: bytes) -> Loaded:
-    """From the file, which may be another one by now or be missing, else from what it was."""
+def _indicator(fact: Ground) -> tuple[Ground, int]:
+    return (fact[0], len(fact) - 1) if isinstance(fact, tuple) else (fact, 0)
+
+
+def _loaded_again(
+    path: Path, given: Mapping[str, int | float | str], source: bytes, trust: bool, used: Mapping[str, bytes]
+) -> Loaded:
+    """From the files, which may be others by now or be missing, else from what they were."""
     try:
-        if path.read_bytes() == source:
-            return Loaded(path, given, source)
+        if all(path.parent.joinpath(name).read_bytes() == data for name, data in {path.name: source, **used}.items()):
+            return Loaded(path, given, source, trust)
     except OSError:
         pass
     with tempfile.TemporaryDirectory() as folder:
         own = Path(folder, path.name)
-        own.write_bytes(source)
-        return Loaded(own, given, source)
+        write_files(own.parent, {path.name: source, **used})
+        return Loaded(own, given, source, trust)

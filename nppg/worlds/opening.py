@@ -25,19 +25,20 @@ def open_domain(
     name_or_path: str | Path,
     parameters: Mapping[str, int | float | str] | None = None,
     problems: str | Path | Iterable[str | int | Path] = (),
+    trust: bool | None = None,
 ) -> Domain:
     """The domain of a shipped file's name, of a file, in PDDL too, or of gym:ID, an environment of Gymnasium, whose
     `parameters` are gymnasium.make's arguments. `problems` are those that start states are drawn from: numbers, as in
-    "1-20", or files, PDDL's or such as `nppg import` writes. Raises NppgError."""
+    "1-20", or files, PDDL's or such as `nppg import` writes. `trust`: as of Domain. Raises NppgError."""
     numbers, files = sorted_out(problems)
     if is_environment(name_or_path):
         domain: Domain = open_environment(str(name_or_path).removeprefix(_GYM), parameters)
     elif Path(name_or_path).suffix == PDDL:
         domain, files = import_domain(name_or_path, files, parameters), []
     else:
-        domain = Domain(name_or_path, parameters)
+        domain = Domain(name_or_path, parameters, trust)
         kind = GymDomain if domain.environment else PddlDomain if domain.pddl else Domain
-        domain = domain if kind is Domain else kind(name_or_path, parameters)
+        domain = domain if kind is Domain else kind(name_or_path, parameters, trust=trust)
         beside = domain.path.with_name(f"{domain.path.stem}{BESIDE}")
         if not files and beside.is_file():
             domain = domain.over(domain.problems_of([beside]))
@@ -110,7 +111,7 @@ def warn_of_another_task(domain: Domain, bias: str | Path) -> None:
 def _starts(domain: Domain, parameter: str, value: str) -> bool:
     """Whether the domain has a start with this value of a parameter."""
     try:
-        Domain(domain.path, {**domain.given, parameter: value}).start(np.random.default_rng(0))
+        Domain(domain.path, {**domain.given, parameter: value}, domain.trusted).start(np.random.default_rng(0))
     except NppgError:
         return False
     return True

@@ -45,9 +45,13 @@ class PddlDomain(Domain):
     """A domain file that was written from PDDL, which lies beside it: `pddl` names it."""
 
     def __init__(
-        self, path: str | Path, parameters: Mapping[str, int | float | str] | None = None, pddl: Pddl | None = None
+        self,
+        path: str | Path,
+        parameters: Mapping[str, int | float | str] | None = None,
+        pddl: Pddl | None = None,
+        trust: bool | None = None,
     ):
-        super().__init__(path, parameters)
+        super().__init__(path, parameters, trust)
         self.generated = pddl is not None  # its file, which has no place then
         self.model = pddl or read_domain(self.path.parent / self.pddl)
         self.derived: list[Derived] = []  # predicates that the domain file has beyond PDDL's

@@ -9,6 +9,7 @@ from functools import partial
 from pathlib import Path
 
 from nppg.bias.names import written
+from nppg.bridge.bounds import DATA, bounded
 from nppg.bridge.prolog import ask
 from nppg.bridge.terms import Ground, ground, texts
 from nppg.errors import NppgError, Problem
@@ -64,6 +65,10 @@ def problems_in(path: Path, module: str) -> Problems:
     """The problems of a data file, of terms problem(Name, Facts), for the domain file loaded as `module`. Raises
     NppgError with every mistake."""
     names, states = [], []
+    try:
+        bounded(path.read_bytes(), str(path), DATA)
+    except OSError as error:
+        raise NppgError([Problem(str(path), 0, 0, f"cannot be read: {error.strerror}")]) from None
     for name, static, facts in ask("problems_in", module, str(path)):
         names.append(name)
         states.append(Interpretation(ground(facts), static_facts(ground(static))))

@@ -7,12 +7,13 @@ A state that an action has led to knows its facts only as what has changed, unti
 from __future__ import annotations
 
 from bisect import bisect_left, insort
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from typing import overload
 from weakref import WeakKeyDictionary, WeakValueDictionary
 
 from nppg.bridge.terms import Ground, plain, texts
+from nppg.errors import NppgError
 from nppg.logic.query import exact
 
 _LONGEST = 500  # changes in a row, after which a state knows its facts
@@ -47,7 +48,7 @@ class Static:
         return hash(self.facts)
 
     def __reduce__(self) -> tuple:
-        return _static_again, (self.facts,)
+        return static_again, (self.facts,)
 
 
 NOTHING = Static()
@@ -62,7 +63,7 @@ def static_facts(facts: Iterable[Ground]) -> Static:
 _read_again: WeakValueDictionary[object, Static] = WeakValueDictionary()
 
 
-def _static_again(facts: tuple[Ground, ...]) -> Static:
+def static_again(facts: tuple[Ground, ...]) -> Static:
     """Those that have been copied or pickled: the same object each time, which the domain files know already."""
     return _read_again.setdefault(exact(facts), static_facts(facts)) if facts else NOTHING
 
@@ -189,14 +190,20 @@ def _mixed(fact: Ground) -> int:
 
 def facts_of(state: Sequence[Ground]) -> list[Ground]:
     """A state's facts, with Python's numbers where somebody has made it with NumPy's. Raises NppgError."""
-    return list(state.facts) if type(state) is Interpretation else plain(state)
+    return list(state.facts) if type(state) is Interpretation else plain(_iterable(state))
 
 
 def interpretation_of(state: Sequence[Ground]) -> Interpretation:
     """A state as an Interpretation. Raises NppgError."""
     if type(state) is Interpretation:
         return state
-    return Interpretation(sorted(set(plain(state)), key=standard_order))
+    return Interpretation(sorted(set(plain(_iterable(state))), key=standard_order))
+
+
+def _iterable(state: Sequence[Ground]) -> Iterable[Ground]:
+    if isinstance(state, Iterable) and not isinstance(state, str | bytes | Mapping):
+        return state
+    raise NppgError(f"{state!r} is no state: that is a sequence of facts; Domain.state makes one of a text")
 
 
 def static_of(state: Sequence[Ground]) -> Static:

@@ -11,6 +11,6 @@ test(parameter, [cleanup(unload_domain(Module)), Facts == [boat(left), fuel(2), 
 test(wrong_kind, throws(nppg_problems([-(_, _, 0, 'the parameter cars must be a whole number, not many')]))) :-
     ferry([[cars, many]], _).
 test(heard, Problems == [-('a.pl', 2, 0, first), -('a.pl', 1, 0, second)]) :-
-    reading(m, m, 'a.pl', [], ( heard(-('a.pl', 2, 0, first)), heard(-('a.pl', 1, 0, second)) ), Problems).
+    reading(m, m, 'a.pl', [], ( heard(-('a.pl', 2, 0, first)), heard(-('a.pl', 1, 0, second)) ), Problems, []).
 
 :- end_tests(declarations).

@@ -32,7 +32,7 @@ start([at(a), road(a, b)]).
 loaded_paths(M) :-
     paths(Text),
     setup_call_cleanup(tmp_file_stream(File, Out, [encoding(utf8), extension(pl)]), (write(Out, Text), close(Out)), true),
-    call_cleanup(load_domain(File, [], M, _), delete_file(File)).
+    call_cleanup(load_domain(File, [], false, M, _), delete_file(File)).
 
 answers(M, [path-Path, far-Far, open-Open, way-Way]) :-
     sorted(B, M:path(a, B), Path),
@@ -88,6 +88,6 @@ test(tables_are_kept_as_long_as_what_they_depend_on,
     kept(M, Left),
     answers(M, Third).
 test(no_file, throws(nppg_problems([-('no such file.pl', 0, 0, _)]))) :-
-    load_domain('no such file.pl', [], _, _).
+    load_domain('no such file.pl', [], false, _, _).
 
 :- end_tests(loading).

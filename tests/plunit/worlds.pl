@@ -31,22 +31,22 @@ The module toy is one without a file.
 
 ferry(Parameters, Module, Description) :-
     ferry_file(File),
-    load_domain(File, Parameters, Module, Description).
+    load_domain(File, Parameters, false, Module, Description).
 
 ferry(Parameters, Module) :-
     ferry(Parameters, Module, _).
 
 roads(Parameters, Module) :-
     roads_file(File),
-    load_domain(File, Parameters, Module, _).
+    load_domain(File, Parameters, false, Module, _).
 
 blocks(Module) :-
     blocks_file(File),
-    load_domain(File, [], Module, _).
+    load_domain(File, [], false, Module, _).
 
 noisy(Noise, Module) :-
     noisy_file(File),
-    load_domain(File, [[noise, Noise]], Module, _).
+    load_domain(File, [[noise, Noise]], false, Module, _).
 
 new_toy :-
     dynamic([toy:on/2, toy:goal_on/2, toy:nppg_fluent/1]),

@@ -1,3 +1,4 @@
+% SHA-256 of what follows: 30d17f2bc255ce7d9a3be787515426214b473cbbc8747e4127a0f7ae4b20eee2
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).

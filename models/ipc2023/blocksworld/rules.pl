@@ -1,3 +1,4 @@
+% SHA-256 of what follows: 159c977d99c8f957e2632762d74556bf509b434c8b09b5a60b8b3b4e89c204cf
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).

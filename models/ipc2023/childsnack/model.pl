@@ -1,3 +1,4 @@
+% SHA-256 of what follows: 46a962e2bc2b5eec182491566cb1e03333cc95502168f009e7eff80d145d8a77
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).

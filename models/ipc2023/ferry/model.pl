@@ -1,3 +1,4 @@
+% SHA-256 of what follows: 7d8f92c0954f2e6b7f2afd21a956453595e3739aa7d7abe559226b843f6e4a1a
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).

@@ -1,3 +1,4 @@
+% SHA-256 of what follows: 2598f6af1ed3c7c75599d887974d84cca84ae25bd3d6df339509ae59b865c8d8
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).

@@ -1,3 +1,4 @@
+% SHA-256 of what follows: dab1cb4d444ae01f670835ff2da0e6e24e1323a42971a7b1c01745b50eb12114
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).

@@ -1,3 +1,4 @@
+% SHA-256 of what follows: 35ae08a891a7b81e99de43cac93d4b2f8d165e1dba5cd18c355ce1f9d1112665
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).

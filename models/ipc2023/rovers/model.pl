@@ -1,3 +1,4 @@
+% SHA-256 of what follows: 98b0dd14d0a9ea329f1c5bb0c66d54958de7cb05781eec15e6abaef497c94ea6
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).

@@ -1,3 +1,4 @@
+% SHA-256 of what follows: 616822246a0633f51b36fd608f7996a31a047cd318d62514166a8068b2a1e1af
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).

@@ -1,3 +1,4 @@
+% SHA-256 of what follows: 41717dc47a96b8879143884b39d79988e32e0623ed8c0f083ee3f2a5a91406f9
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).

@@ -1,3 +1,4 @@
+% SHA-256 of what follows: bd0318df96cd6648029e8ecf1036be0cd65a13cdc1299c45d0412dc918aa87a5
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).

@@ -1,3 +1,4 @@
+% SHA-256 of what follows: 3586860d37c15a1c347027194bcd75aceae1b0fb266ac76d97a72b4d7216befe
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).

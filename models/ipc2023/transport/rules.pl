@@ -1,3 +1,4 @@
+% SHA-256 of what follows: b8bde254754f84d4594dc2658928ecc3e4e145b359a55b134e8c3f9157784f47
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).
