@@ -90,34 +90,37 @@ could_pickup_needed_holding_to_putdown_to_stack(Object) :-
     on_table(Object),
     arm_empty.
 could_pickup_for_todo_on_any_object(Object) :-
+    arm_empty,
     on_table(Object),
     \+ holding(Object),
-    arm_empty,
-    todo_on(_Object2, Object).
+    once(todo_on(_Object2, Object)).
 could_pickup_for_todo_on_object_any(Object) :-
+    arm_empty,
     on_table(Object),
     \+ holding(Object),
-    arm_empty,
-    todo_on(Object, _Object2).
+    once(todo_on(Object, _Object2)).
 could_stack_todo_on(Object) :- todo_on(Object2, Object), holding(Object2).
-could_stack_for_todo_clear_object(Object) :- \+ arm_empty, todo_clear(Object), holding(_Object2).
-could_stack_for_todo_on_table_object_2(Object) :- \+ arm_empty, todo_on_table(Object), holding(_Object2).
-could_stack_for_todo_on_any_object_2(Object) :- \+ arm_empty, todo_on(_Object2, Object), holding(_Object3).
-could_stack_for_todo_on_object_any_2(Object) :- \+ arm_empty, todo_on(Object, _Object2), holding(_Object3).
+could_stack_for_todo_clear_object(Object) :- \+ arm_empty, todo_clear(Object), once(holding(_Object2)).
+could_stack_for_todo_on_table_object_2(Object) :- \+ arm_empty, todo_on_table(Object), once(holding(_Object2)).
+could_stack_for_todo_on_any_object_2(Object) :- \+ arm_empty, once(holding(_Object2)), todo_on(_Object3, Object).
+could_stack_for_todo_on_object_any_2(Object) :- \+ arm_empty, once(holding(_Object2)), todo_on(Object, _Object3).
 could_stack_for_todo_on_object_object(Object) :- \+ arm_empty, todo_on(Object, Object2), holding(Object2).
 could_unstack(Object) :- arm_empty, on(Object, _Object2), \+ holding(Object).
 could_unstack_todo_clear(Object) :- arm_empty, on(Object, Object2), todo_clear(Object2).
-could_unstack_needed_holding_to_putdown(Object) :- needed_holding_to_putdown(Object), arm_empty, on(Object, _Object2).
+could_unstack_needed_holding_to_putdown(Object) :-
+    arm_empty,
+    needed_holding_to_putdown(Object),
+    once(on(Object, _Object2)).
 could_unstack_needed_clear_to_stack(Object) :- arm_empty, on(Object, Object2), needed_clear_to_stack(Object2).
 could_unstack_needed_holding_to_putdown_to_stack(Object) :-
-    needed_holding_to_putdown_to_stack(Object),
     arm_empty,
-    on(Object, _Object2).
+    needed_holding_to_putdown_to_stack(Object),
+    once(on(Object, _Object2)).
 could_unstack_for_todo_on_table_object(Object) :-
+    arm_empty,
     todo_on_table(Object),
     \+ holding(Object),
-    arm_empty,
-    on(Object, _Object2).
+    once(on(Object, _Object2)).
 could_unstack_for_todo_on_table_object_2(Object) :-
     arm_empty,
     on(Object, Object2),
@@ -127,17 +130,17 @@ could_unstack_for_todo_on_any_object(Object) :-
     arm_empty,
     todo_on(_Object2, Object),
     \+ holding(Object),
-    on(Object, _Object3).
+    once(on(Object, _Object3)).
 could_unstack_for_todo_on_object_any(Object) :-
     arm_empty,
     todo_on(Object, _Object2),
     \+ holding(Object),
-    on(Object, _Object3).
+    once(on(Object, _Object3)).
 could_unstack_for_todo_on_object_any_2(Object) :-
     arm_empty,
     on(Object, Object2),
     \+ holding(Object),
-    todo_on(Object2, _Object3).
+    once(todo_on(Object2, _Object3)).
 could_unstack_for_todo_on_object_object_2(Object) :-
     arm_empty,
     todo_on(Object2, Object),

@@ -1,4 +1,4 @@
-% SHA-256 of what follows: 30d17f2bc255ce7d9a3be787515426214b473cbbc8747e4127a0f7ae4b20eee2
+% SHA-256 of what follows: c596c4269ea48303de85c11c7045e2c8d536af90492fe0fc592d742e92d9d946
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).
@@ -13,7 +13,7 @@ model(format, 1).
 model(nppg, '0.1.0').
 model(prolog, '9.2.9').
 model(domain, 'blocksworld.pl').
-model(domain_sha256, '44b870b2e5a1a33b0ab7a24eacab2d9769f3e3ae6c1230bb315cf6b6fd46437a').
+model(domain_sha256, '935d4b2b1e03a47ebf490a3cafb51e4cd0260e7fb04b663517860c889ed85a84').
 model(action, pickup(object)).
 model(action, putdown(object)).
 model(action, stack(object, object)).
@@ -119,8 +119,8 @@ model(tree, significance=1.0).
 model(tree, granularity=0).
 model(curve, evaluate_every=0).
 model(curve, seconds=120.0).
-model(trained_episodes, 555).
-model(trees, 37).
+model(trained_episodes, 587).
+model(trees, 44).
 
 % Lets plain Prolog load the domain: what its declarations mean.
 :- op(1150, fx, user:[fluent, static, interchangeable]).
@@ -1065,3 +1065,205 @@ delta(37, unstack(_, Object), -0.0022226805850784266) :- on(Object, Object2), go
 delta(37, unstack(_, Object), 0.014873254223376434) :- todo_on(Object, Object2), goal_on_table(Object2), !.
 delta(37, unstack(_, _), -0.2809883828790257) :- !.
 delta(37, _, 0.0).
+
+% tree 38: step size 1.0, 204 examples, 25 leaves
+delta(38, pickup(Object), -0.02982762615440012) :- todo_on(Object, Object2), clear(Object2), on(Object2, Object3), unsettled_on(Object3), !.
+delta(38, pickup(Object), -0.016675147618241702) :- todo_on(Object, Object2), clear(Object2), todo_clear(Object3), unsettled_before_on_todo_on(Object3), !.
+delta(38, pickup(Object), 0.08193589970072993) :- todo_on(Object, Object2), clear(Object2), !.
+delta(38, pickup(_), -0.032129738045946994) :- !.
+delta(38, putdown(_), -0.01630784354588762) :- clear(Object), goal_on_table(Object), fewer_clear_than_on_2, todo_on(Object2, Object), needed_clear_to_stack(Object2), !.
+delta(38, putdown(_), 0.006442837816696616) :- clear(Object), goal_on_table(Object), fewer_clear_than_on_2, !.
+delta(38, putdown(_), -0.0024871892516434018) :- clear(Object), goal_on_table(Object), todo_on(Object2, Object), done_clear(Object2), !.
+delta(38, putdown(_), 0.06318702376373606) :- clear(Object), goal_on_table(Object), !.
+delta(38, putdown(Object), 0.004598063509986665) :- todo_on(Object2, Object), on(_, Object2), !.
+delta(38, putdown(_), -0.2296236136585972) :- clear(Object), todo_on(_, Object), !.
+delta(38, putdown(_), 0.0016699027806334548) :- !.
+delta(38, stack(Object, Object2), 0.05463870776585472) :- todo_on(Object3, Object2), clear(Object3), todo_on_table(Object), clear(Object4), beyond_goal_on(Object4, Object3), !.
+delta(38, stack(Object, Object2), -0.0006475663592651451) :- todo_on(Object3, Object2), clear(Object3), todo_on_table(Object), !.
+delta(38, stack(_, Object), -0.1899553852916799) :- todo_on(Object2, Object), clear(Object2), !.
+delta(38, stack(Object, Object2), 0.000738776377018097) :- holding(Object3), beyond_goal_on(Object2, Object3), todo_on(Object, Object4), unsettled_on_todo_on_table(Object4), !.
+delta(38, stack(_, Object), -0.06352084586392898) :- holding(Object2), beyond_goal_on(Object, Object2), !.
+delta(38, stack(Object, _), 0.3407944970018982) :- on_table(Object2), beyond_goal_on(Object, Object2), !.
+delta(38, stack(_, _), -0.020049646823249032) :- !.
+delta(38, unstack(Object, _), 0.013936578729545958) :- on_table(Object2), goal_on(Object, Object2), todo_on(Object2, Object3), could_pickup_for_todo_on_object_any(Object3), !.
+delta(38, unstack(Object, Object2), 0.004151046549281564) :- on_table(Object3), goal_on(Object, Object3), on(Object2, Object4), beyond_goal_on(Object, Object4), !.
+delta(38, unstack(Object, _), -0.12814095486774385) :- on_table(Object2), goal_on(Object, Object2), !.
+delta(38, unstack(Object, _), -0.012016108992635747) :- todo_on(Object, Object2), unsettled_on_todo_on_table(Object2), !.
+delta(38, unstack(_, Object), 0.1279033768152804) :- on(Object2, Object), unsettled_on(Object2), !.
+delta(38, unstack(_, _), -0.007792239559493499) :- !.
+delta(38, _, 0.0).
+
+% tree 39: step size 1.0, 232 examples, 26 leaves
+delta(39, pickup(Object), -0.019165856227977385) :- todo_on(Object, Object2), clear(Object2), todo_on(Object2, Object3), could_unstack_for_todo_on_object_any(Object3), !.
+delta(39, pickup(Object), -0.01489657419483028) :- todo_on(Object, Object2), clear(Object2), on(Object2, Object3), unsettled_before_on(Object3), !.
+delta(39, pickup(Object), 0.13638703183433903) :- todo_on(Object, Object2), clear(Object2), !.
+delta(39, pickup(_), -0.03266099868121908) :- !.
+delta(39, putdown(_), -0.0890202023274602) :- todo_on_table(Object), needed_holding_to_putdown_to_stack(Object), clear(Object2), on(Object2, Object), !.
+delta(39, putdown(_), 0.006785430543794406) :- todo_on_table(Object), needed_holding_to_putdown_to_stack(Object), !.
+delta(39, putdown(Object), 0.004830254874802849) :- todo_on(Object2, Object), unsettled_before_on_todo_clear(Object2), todo_clear(Object2), !.
+delta(39, putdown(Object), -0.03224447433318004) :- todo_on(Object2, Object), unsettled_before_on_todo_clear(Object2), !.
+delta(39, putdown(Object), 0.10587354381031022) :- todo_on(Object, Object2), unsettled_before_on(Object2), !.
+delta(39, putdown(_), -0.006199620577414517) :- !.
+delta(39, stack(_, Object), 0.04214086328312893) :- todo_on(Object, Object2), clear(Object2), todo_on(Object3, Object), needed_holding_to_putdown(Object3), !.
+delta(39, stack(Object, Object2), 0.002729527778639747) :- todo_on(Object2, Object3), clear(Object3), todo_on(Object4, Object), needed_clear_to_stack(Object4), !.
+delta(39, stack(_, Object), -0.17375447889475035) :- todo_on(Object, Object2), clear(Object2), !.
+delta(39, stack(Object, _), -0.030722779061402892) :- fewer_clear_on_1_than_on_2, todo_on(Object2, Object), unsettled_on_todo_clear(Object2), !.
+delta(39, stack(_, _), 0.19250955350986898) :- fewer_clear_on_1_than_on_2, !.
+delta(39, stack(_, Object), 0.036682603837573144) :- todo_on(Object, Object2), done_on_table(Object2), !.
+delta(39, stack(_, _), -0.07010131570105535) :- !.
+delta(39, unstack(Object, Object2), 0.03392477451832728) :- todo_on(Object3, Object), beyond_goal_on(Object3, Object2), todo_on(Object4, Object3), on_table(Object4), unsettled_on(Object), !.
+delta(39, unstack(Object, Object2), -0.003248419001299046) :- todo_on(Object3, Object), beyond_goal_on(Object3, Object2), todo_on(Object4, Object3), on_table(Object4), !.
+delta(39, unstack(Object, Object2), 0.008977160901427236) :- todo_on(Object3, Object), beyond_goal_on(Object3, Object2), on(Object4, Object3), goal_on(Object, Object4), !.
+delta(39, unstack(Object, Object2), -0.234967981693449) :- todo_on(Object3, Object), beyond_goal_on(Object3, Object2), !.
+delta(39, unstack(_, Object), 0.0013753208963314253) :- todo_on(Object, Object2), could_unstack_needed_clear_to_stack(Object2), todo_on(Object3, Object), could_pickup_for_todo_on_any_object(Object3), !.
+delta(39, unstack(_, Object), -0.03647113728796521) :- todo_on(Object, Object2), could_unstack_needed_clear_to_stack(Object2), !.
+delta(39, unstack(Object, _), -0.0025724531624012523) :- todo_on_table(Object2), todo_on(Object, Object2), !.
+delta(39, unstack(_, _), 0.1654328357317055) :- !.
+delta(39, _, 0.0).
+
+% tree 40: step size 1.0, 218 examples, 28 leaves
+delta(40, pickup(Object), -0.040666705850376766) :- goal_clear(Object), todo_on(Object, Object2), unsettled_on(Object2), !.
+delta(40, pickup(Object), 0.0006661062137131805) :- goal_clear(Object), todo_on(Object, Object2), clear(Object2), !.
+delta(40, pickup(Object), -0.00040125269569114456) :- goal_clear(Object), !.
+delta(40, pickup(Object), -0.012082326014643768) :- todo_on(Object2, Object), could_unstack_todo_clear(Object2), !.
+delta(40, pickup(_), 0.18694011889801168) :- on_table(Object), goal_on_table(Object), !.
+delta(40, pickup(_), -0.003244867249663848) :- !.
+delta(40, putdown(Object), 0.02759392038117069) :- todo_on(Object, Object2), on_table(Object2), todo_on(Object2, Object3), clear(Object3), !.
+delta(40, putdown(Object), 0.010477230263634387) :- todo_on(Object, Object2), on_table(Object2), on(Object3, Object2), unsettled_on_todo_on(Object3), !.
+delta(40, putdown(Object), -0.18262551649046563) :- todo_on(Object, Object2), on_table(Object2), !.
+delta(40, putdown(_), 0.09483577773260966) :- on_table(Object), goal_clear(Object), !.
+delta(40, putdown(_), -0.03155909432043206) :- clear(Object), goal_clear(Object), !.
+delta(40, putdown(_), 0.02840587905770675) :- !.
+delta(40, stack(Object, Object2), -0.0478229450110244) :- on_table(Object3), beyond_goal_on(Object2, Object3), todo_on(Object4, Object), goal_clear(Object4), beyond_goal_on(Object, Object3), !.
+delta(40, stack(Object, Object2), -0.00046623422617320586) :- on_table(Object3), beyond_goal_on(Object2, Object3), todo_on(Object4, Object), goal_clear(Object4), !.
+delta(40, stack(Object, Object2), -0.03324842442669087) :- on_table(Object3), beyond_goal_on(Object2, Object3), todo_on(Object4, Object), beyond_goal_on(Object3, Object4), !.
+delta(40, stack(_, Object), 0.21884569559101433) :- on_table(Object2), beyond_goal_on(Object, Object2), !.
+delta(40, stack(Object, _), -0.0012655288078146443) :- todo_on(Object2, Object), unsettled_before_on_todo_clear(Object2), todo_clear(Object2), !.
+delta(40, stack(Object, _), 0.03151549316201117) :- todo_on(Object2, Object), unsettled_before_on_todo_clear(Object2), !.
+delta(40, stack(_, _), -0.13242012774262527) :- !.
+delta(40, unstack(Object, _), 0.023612064760392862) :- todo_on(Object2, Object), goal_on(Object3, Object2), done_clear(Object3), unsettled_on(Object), !.
+delta(40, unstack(Object, _), -0.0011878006217949362) :- todo_on(Object2, Object), goal_on(Object3, Object2), done_clear(Object3), !.
+delta(40, unstack(Object, Object2), 0.00418751956268741) :- todo_on(Object3, Object), goal_on(_, Object3), unsettled_on_todo_on_table(Object2), !.
+delta(40, unstack(Object, _), -0.30679891353798183) :- todo_on(Object2, Object), goal_on(_, Object2), !.
+delta(40, unstack(Object, Object2), -0.001019709833961801) :- clear(Object3), beyond_goal_on(Object2, Object3), todo_on(Object4, Object3), todo_on(Object, Object4), !.
+delta(40, unstack(_, Object), 0.16282349763794188) :- clear(Object2), beyond_goal_on(Object, Object2), !.
+delta(40, unstack(_, Object), 0.006901212273991943) :- todo_on(Object2, Object), clear(Object2), !.
+delta(40, unstack(_, _), -0.012368201976352518) :- !.
+delta(40, _, 0.0).
+
+% tree 41: step size 1.0, 210 examples, 28 leaves
+delta(41, pickup(Object), -0.00021565721182279995) :- todo_on(Object, Object2), todo_on(Object2, Object3), could_unstack_for_todo_on_object_any(Object3), goal_clear(Object), !.
+delta(41, pickup(Object), 0.004119553837503492) :- todo_on(Object, Object2), todo_on(Object2, Object3), could_unstack_for_todo_on_object_any(Object3), !.
+delta(41, pickup(Object), -0.06719463120693853) :- todo_on(Object, Object2), todo_on(Object2, _), !.
+delta(41, pickup(Object), -0.004001173664382622) :- clear(Object2), goal_on_table(Object2), goal_on_table(Object), !.
+delta(41, pickup(_), 0.11383180000657572) :- clear(Object), goal_on_table(Object), !.
+delta(41, pickup(Object), -0.006407853548613855) :- todo_on(Object, Object2), unsettled_on(Object2), !.
+delta(41, pickup(_), 0.0010223799585507933) :- !.
+delta(41, putdown(_), 0.07632833919612822) :- todo_clear(_), !.
+delta(41, putdown(Object), 0.04472509690575702) :- todo_on_table(Object2), beyond_goal_on(Object, Object2), !.
+delta(41, putdown(_), -0.19489120832956422) :- on_table(Object), needed_clear_to_stack(Object), !.
+delta(41, putdown(_), 0.009511201222552843) :- !.
+delta(41, stack(Object, Object2), 0.0007710326980203653) :- unsettled_on_todo_on(Object2), todo_on_table(Object3), beyond_goal_on(Object2, Object3), todo_on_table(Object4), todo_on(Object, Object4), !.
+delta(41, stack(_, Object), -0.07351636004925395) :- unsettled_on_todo_on(Object), todo_on_table(Object2), beyond_goal_on(Object, Object2), !.
+delta(41, stack(_, Object), -0.028255142105599856) :- unsettled_on_todo_on(Object), todo_clear(Object2), beyond_goal_on(Object2, Object), !.
+delta(41, stack(_, Object), 0.28352439744743724) :- unsettled_on_todo_on(Object), !.
+delta(41, stack(Object, Object2), -0.0027120814122577434) :- todo_on(Object, Object2), todo_on_table(Object2), !.
+delta(41, stack(Object, Object2), 0.025214978369503246) :- todo_on(Object, Object2), !.
+delta(41, stack(Object, _), 0.00936424963588945) :- todo_on(Object2, Object), on(Object2, _), !.
+delta(41, stack(_, _), -0.17212378164866513) :- !.
+delta(41, unstack(Object, Object2), 0.057232666268635615) :- todo_clear(Object3), beyond_goal_on(Object3, Object), on(Object4, Object2), beyond_on(Object4, Object3), fewer_clear_than_on_2, !.
+delta(41, unstack(Object, Object2), -0.016334522025443273) :- todo_clear(Object3), beyond_goal_on(Object3, Object), on(Object4, Object2), beyond_on(Object4, Object3), !.
+delta(41, unstack(Object, _), 0.0062287559372411335) :- todo_clear(Object2), beyond_goal_on(Object2, Object), todo_on_table(Object), !.
+delta(41, unstack(Object, _), -0.14753551889233352) :- todo_clear(Object2), beyond_goal_on(Object2, Object), !.
+delta(41, unstack(Object, Object2), 0.0010682741966806196) :- todo_clear(Object3), beyond_on(Object2, Object3), todo_on(Object4, Object), clear(Object4), !.
+delta(41, unstack(_, Object), -0.06109237446003995) :- todo_clear(Object2), beyond_on(Object, Object2), !.
+delta(41, unstack(Object, _), -0.026894085554440898) :- todo_on(Object, Object2), could_pickup_needed_holding_to_putdown_to_stack(Object2), !.
+delta(41, unstack(_, _), 0.14213496140191106) :- !.
+delta(41, _, 0.0).
+
+% tree 42: step size 1.0, 242 examples, 27 leaves
+delta(42, pickup(Object), -0.024691042332706154) :- todo_on(Object2, Object), could_pickup_needed_holding_to_putdown_to_stack(Object2), !.
+delta(42, pickup(Object), -0.023058695426008965) :- todo_on(Object, Object2), unsettled_before_on(Object2), on(Object3, Object2), unsettled_before_on_todo_on(Object3), !.
+delta(42, pickup(Object), 0.1209442728876092) :- todo_on(Object, Object2), unsettled_before_on(Object2), !.
+delta(42, pickup(_), -0.024516231231478693) :- on_table(Object), needed_clear_to_stack(Object), !.
+delta(42, pickup(_), 0.006849458213424684) :- !.
+delta(42, putdown(_), 0.0004846611510254766) :- on_table(Object), needed_clear_to_stack(Object), on(Object2, Object), needed_clear_to_stack(Object2), unsettled_before_on_todo_clear(Object), !.
+delta(42, putdown(_), -0.10308622866072496) :- on_table(Object), needed_clear_to_stack(Object), on(Object2, Object), needed_clear_to_stack(Object2), !.
+delta(42, putdown(_), 0.03486977715145194) :- on_table(Object), needed_clear_to_stack(Object), !.
+delta(42, putdown(Object), -0.0002831970915950463) :- todo_on(Object, Object2), done_on_table(Object2), !.
+delta(42, putdown(_), 0.05526994657618846) :- !.
+delta(42, stack(Object, Object2), 0.10554980700547803) :- todo_on(Object3, Object), beyond_goal_on(Object3, Object2), on(Object2, Object4), goal_on(Object2, Object4), todo_on(Object, Object2), !.
+delta(42, stack(Object, Object2), -0.003856503156170851) :- todo_on(Object3, Object), beyond_goal_on(Object3, Object2), on(Object2, Object4), goal_on(Object2, Object4), !.
+delta(42, stack(Object, Object2), -0.26998672428874443) :- todo_on(Object3, Object), beyond_goal_on(Object3, Object2), on_table(Object4), beyond_goal_on(Object4, Object), !.
+delta(42, stack(Object, Object2), 0.03461508072856845) :- todo_on(Object3, Object), beyond_goal_on(Object3, Object2), !.
+delta(42, stack(Object, Object2), -0.030167253261088628) :- todo_on(Object, Object3), unsettled_on(Object3), todo_on(Object4, Object2), unsettled_on_todo_clear(Object4), !.
+delta(42, stack(Object, _), 0.21833744858901982) :- todo_on(Object, Object2), unsettled_on(Object2), !.
+delta(42, stack(Object, Object2), 0.005589321900833818) :- todo_on(Object, Object2), !.
+delta(42, stack(_, _), -0.04365213550542143) :- !.
+delta(42, unstack(Object, Object2), -0.044806467590753386) :- clear(Object3), beyond_goal_on(Object, Object3), todo_on(Object4, Object2), could_pickup_for_todo_on_any_object(Object4), goal_on_table(Object3), !.
+delta(42, unstack(Object, Object2), 0.006071025161923371) :- clear(Object3), beyond_goal_on(Object, Object3), todo_on(Object4, Object2), could_pickup_for_todo_on_any_object(Object4), !.
+delta(42, unstack(Object, Object2), -0.013093958244021833) :- clear(Object3), beyond_goal_on(Object, Object3), todo_on(Object4, Object3), todo_on(Object2, Object4), !.
+delta(42, unstack(Object, _), 0.1809539180146558) :- clear(Object2), beyond_goal_on(Object, Object2), !.
+delta(42, unstack(Object, _), 0.005237609737985514) :- on_table(Object2), todo_on(Object2, _), goal_clear(Object), !.
+delta(42, unstack(_, _), -0.2093885532309396) :- on_table(Object), todo_on(Object, _), !.
+delta(42, unstack(Object, _), 0.008173071393812128) :- todo_clear(Object2), beyond_on(Object, Object2), !.
+delta(42, unstack(_, _), -0.0004549744990997072) :- !.
+delta(42, _, 0.0).
+
+% tree 43: step size 1.0, 276 examples, 27 leaves
+delta(43, pickup(Object), 0.003629062039125418) :- todo_on(Object, Object2), done_on_table(Object2), todo_on(Object, Object3), clear(Object3), !.
+delta(43, pickup(Object), -0.0006842098615056879) :- todo_on(Object, Object2), done_on_table(Object2), !.
+delta(43, pickup(Object), 0.0020310898659661883) :- todo_on(Object2, Object), done_clear(Object2), clear(Object3), could_unstack_for_todo_on_object_any_2(Object3), !.
+delta(43, pickup(Object), -0.0015876405069460363) :- todo_on(Object2, Object), done_clear(Object2), !.
+delta(43, pickup(_), -0.024295535557834445) :- !.
+delta(43, putdown(Object), 0.0002727308831640152) :- todo_on(Object2, Object), needed_clear_to_stack(Object2), on(Object3, Object2), beyond_goal_on(Object3, Object), todo_on_table(Object), !.
+delta(43, putdown(Object), -0.08025521913471739) :- todo_on(Object2, Object), needed_clear_to_stack(Object2), on(Object3, Object2), beyond_goal_on(Object3, Object), !.
+delta(43, putdown(Object), 0.010861678357234754) :- todo_on(Object2, Object), needed_clear_to_stack(Object2), !.
+delta(43, putdown(_), 0.0002003889771746645) :- todo_clear(Object), done_on_table(Object), todo_clear(Object2), unsettled_on_todo_on(Object2), !.
+delta(43, putdown(_), -0.0023277406613986295) :- todo_clear(Object), done_on_table(Object), !.
+delta(43, putdown(_), 0.08631564331363628) :- fewer_clear_on_1_than_on_2, !.
+delta(43, putdown(_), 0.0001760110174686347) :- !.
+delta(43, stack(Object, Object2), 0.28549455323740325) :- todo_on(Object2, Object3), beyond_goal_on(Object3, Object), todo_on(Object2, Object4), on_table(Object4), clear(Object3), !.
+delta(43, stack(Object, Object2), -0.003081428083442545) :- todo_on(Object2, Object3), beyond_goal_on(Object3, Object), todo_on(Object2, Object4), on_table(Object4), !.
+delta(43, stack(Object, Object2), -0.049416133928743354) :- todo_on(Object2, Object3), beyond_goal_on(Object3, Object), !.
+delta(43, stack(_, Object), 0.02119222972537056) :- todo_on(Object, Object2), goal_on(Object2, _), unsettled_on_todo_clear(Object), !.
+delta(43, stack(_, Object), -0.30826694848543723) :- todo_on(Object, Object2), goal_on(Object2, _), !.
+delta(43, stack(_, Object), -0.04394757759871804) :- todo_on(Object2, Object), on_table(Object2), !.
+delta(43, stack(_, _), 0.08879856477635163) :- !.
+delta(43, unstack(_, Object), 0.0023853692778839073) :- on(Object, Object2), on(Object2, _), unsettled_before_on_todo_clear(Object2), !.
+delta(43, unstack(_, Object), 0.0015941219074760281) :- on(Object, Object2), on(Object2, Object3), could_pickup_needed_holding_to_putdown_to_stack(Object3), !.
+delta(43, unstack(_, Object), -0.1527994883819722) :- on(Object, Object2), on(Object2, _), !.
+delta(43, unstack(Object, Object2), -0.01304540427286977) :- todo_on(Object, Object3), beyond_goal_on(Object2, Object3), on_table(Object4), needed_clear_to_stack(Object4), !.
+delta(43, unstack(Object, Object2), 0.0012556951611314032) :- todo_on(Object, Object3), beyond_goal_on(Object2, Object3), !.
+delta(43, unstack(Object, _), -0.006104389858589831) :- todo_on(Object, Object2), could_unstack_todo_clear(Object2), !.
+delta(43, unstack(_, _), 0.18287248088734406) :- !.
+delta(43, _, 0.0).
+
+% tree 44: step size 1.0, 282 examples, 27 leaves
+delta(44, pickup(Object), -0.0011131284147916853) :- todo_on(Object2, Object), needed_on_table_to_pickup_to_putdown(Object2), clear(Object3), goal_clear(Object3), !.
+delta(44, pickup(Object), 0.14535423293965719) :- todo_on(Object2, Object), needed_on_table_to_pickup_to_putdown(Object2), !.
+delta(44, pickup(Object), 0.0010880615350759286) :- on_table(Object2), todo_on(Object3, Object2), todo_on(Object, Object3), !.
+delta(44, pickup(_), -0.03715554433689835) :- on_table(Object), todo_on(_, Object), !.
+delta(44, pickup(Object), 0.00045867584758501527) :- todo_on(Object, Object2), clear(Object2), !.
+delta(44, pickup(_), -0.0001518537302553915) :- !.
+delta(44, putdown(Object), 0.013998849187882877) :- todo_on(Object, Object2), on_table(Object2), on(Object3, Object2), could_stack_for_todo_on_any_object_2(Object3), !.
+delta(44, putdown(Object), 0.005210665983703663) :- todo_on(Object, Object2), on_table(Object2), todo_clear(Object3), beyond_goal_on(Object3, Object2), !.
+delta(44, putdown(Object), -0.31422199526695055) :- todo_on(Object, Object2), on_table(Object2), !.
+delta(44, putdown(_), -0.0003880121202646104) :- clear(Object), goal_clear(Object), on(Object, Object2), needed_clear_to_stack(Object2), !.
+delta(44, putdown(_), 0.05930254833403501) :- clear(Object), goal_clear(Object), !.
+delta(44, putdown(Object), 0.008610644973399518) :- todo_on(Object, Object2), unsettled_on_todo_clear(Object2), !.
+delta(44, putdown(_), -0.02527982561868124) :- !.
+delta(44, stack(_, Object), -0.23075915353645748) :- todo_on(Object2, Object), on(Object3, Object2), beyond_goal_on(Object3, Object), !.
+delta(44, stack(_, Object), -0.0069411803390096675) :- todo_on(Object2, Object), on(_, Object2), unsettled_before_on_todo_clear(Object2), !.
+delta(44, stack(_, Object), 0.035484761205340234) :- todo_on(Object2, Object), on(_, Object2), !.
+delta(44, stack(_, Object), -0.16089495721333108) :- todo_on(Object, Object2), on(_, Object2), !.
+delta(44, stack(_, Object), -0.010378844163796704) :- on(Object, Object2), on(Object2, _), !.
+delta(44, stack(_, _), 0.5382502492028102) :- !.
+delta(44, unstack(Object, _), 0.008724979776960282) :- todo_on(Object2, Object), todo_on(_, Object2), unsettled_on_todo_on_table(Object), !.
+delta(44, unstack(Object, Object2), 0.00446265119047636) :- todo_on(Object3, Object), todo_on(Object4, Object3), beyond_goal_on(Object2, Object4), !.
+delta(44, unstack(Object, _), -0.22582067595099067) :- todo_on(Object2, Object), todo_on(_, Object2), !.
+delta(44, unstack(_, Object), 0.0014320007576380306) :- on(Object, Object2), goal_on(Object, Object2), clear(Object3), beyond_goal_on(Object, Object3), !.
+delta(44, unstack(_, Object), -0.02510462783467159) :- on(Object, Object2), goal_on(Object, Object2), !.
+delta(44, unstack(_, Object), 0.132693588510353) :- on(Object2, Object), unsettled_on(Object2), !.
+delta(44, unstack(_, _), -0.0037502484193062987) :- !.
+delta(44, _, 0.0).

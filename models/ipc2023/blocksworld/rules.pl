@@ -1,4 +1,4 @@
-% SHA-256 of what follows: 159c977d99c8f957e2632762d74556bf509b434c8b09b5a60b8b3b4e89c204cf
+% SHA-256 of what follows: cd05d3600a7b3b0f501cbec3f34421cff11a623a0c9be60baad86c31d814cb79
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).
@@ -13,7 +13,7 @@ model(format, 1).
 model(nppg, '0.1.0').
 model(prolog, '9.2.9').
 model(domain, 'blocksworld.pl').
-model(domain_sha256, '44b870b2e5a1a33b0ab7a24eacab2d9769f3e3ae6c1230bb315cf6b6fd46437a').
+model(domain_sha256, '935d4b2b1e03a47ebf490a3cafb51e4cd0260e7fb04b663517860c889ed85a84').
 model(action, pickup(object)).
 model(action, putdown(object)).
 model(action, stack(object, object)).
@@ -128,13 +128,12 @@ domain(blocksworld).
 :- ensure_loaded('blocksworld.pl').
 :- add_import_module(policy, blocksworld, start).
 
-% tree 1: distilled, 9 rules
+% tree 1: distilled, 8 rules
 delta(1, pickup(Object), 0.0) :- todo_on(Object, Object2), unsettled_on(Object2), !.
-delta(1, pickup(Object), 20.0) :- beyond_goal_on(Object, _), !.
+delta(1, pickup(Object), 20.0) :- todo_on(Object, Object2), clear(Object2), !.
 delta(1, putdown(Object), 20.0) :- todo_on(Object, Object2), unsettled_on(Object2), !.
 delta(1, putdown(Object), 0.0) :- todo_on(Object, Object2), clear(Object2), !.
 delta(1, putdown(_), 20.0) :- !.
-delta(1, stack(Object, _), 0.0) :- todo_on(Object, Object2), unsettled_on(Object2), !.
-delta(1, stack(Object, Object2), 20.0) :- todo_on(Object, Object2), !.
+delta(1, stack(Object, Object2), 10.0) :- todo_on(Object, Object2), !.
 delta(1, unstack(_, Object), 10.0) :- on(Object2, Object), unsettled_on(Object2), !.
 delta(1, _, 0.0).

@@ -59,8 +59,7 @@ toward_could_board(X, Y) :- step_lift_at(X, Y), nearest_could_board(X, D), neare
 could_board_through_destin_back_for_todo_served_1_floor(Floor) :-
     todo_served(Passenger),
     destin(Passenger, Floor),
-    origin(Passenger2, Floor),
-    \+ boarded(Passenger2).
+    once(( origin(Passenger2, Floor), \+ boarded(Passenger2) )).
 :- table places_could_board_through_destin_back_for_todo_served_1_floor/1.
 places_could_board_through_destin_back_for_todo_served_1_floor(Places) :-
     findall(Z, could_board_through_destin_back_for_todo_served_1_floor(Z), Found),

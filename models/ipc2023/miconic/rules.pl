@@ -1,4 +1,4 @@
-% SHA-256 of what follows: 35ae08a891a7b81e99de43cac93d4b2f8d165e1dba5cd18c355ce1f9d1112665
+% SHA-256 of what follows: 1d9b4b1e2d35bcb033361c094888b3d8a559e3e05f96ed65a30b4ddc2a6a1ee9
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).
@@ -13,7 +13,7 @@ model(format, 1).
 model(nppg, '0.1.0').
 model(prolog, '9.2.9').
 model(domain, 'miconic.pl').
-model(domain_sha256, '2e4260bd348b8483347a96d9e3a338ace93a46b6986e29ff8f0986206918fb99').
+model(domain_sha256, '10cca4ae2843dc69694dac3826b36a6dfbd7f2cd8c28dd3726b53415579622c2').
 model(action, board(floor, passenger)).
 model(action, depart(floor, passenger)).
 model(action, up(floor, floor)).
@@ -39,7 +39,7 @@ model(literal, toward_could_depart(floor, floor)).
 model(literal, fewer_lift_at_than_todo_served).
 model(literal, fewer_lift_at_than_boarded).
 model(bias, 'miconic.yaml').
-model(bias_sha256, '0b769ddcea6f529a210e93b15226b228459216ae417be439fe256fbb9553d97b').
+model(bias_sha256, '25d0d1154d4b93c693382491eb76f3e4f418fffcbdee60dfc0b0150d12dd06c6').
 model(success, 1.0).
 model(starts, 99).
 model(exact, 0).
@@ -89,10 +89,10 @@ domain(miconic).
 :- add_import_module(policy, miconic, start).
 
 % tree 1: distilled, 7 rules
-delta(1, board(_, _), 20.0) :- !.
-delta(1, depart(_, _), 20.0) :- !.
-delta(1, up(_, Floor), 10.0) :- lift_at(Floor2), toward_could_depart(Floor2, Floor), !.
+delta(1, board(_, _), 30.0) :- !.
+delta(1, depart(_, _), 30.0) :- !.
 delta(1, up(_, Floor), 20.0) :- lift_at(Floor2), toward_could_board(Floor2, Floor), !.
+delta(1, up(_, Floor), 10.0) :- lift_at(Floor2), toward_could_depart(Floor2, Floor), !.
 delta(1, down(_, Floor), 20.0) :- lift_at(Floor2), toward_could_board(Floor2, Floor), !.
 delta(1, down(_, Floor), 10.0) :- lift_at(Floor2), toward_could_depart(Floor2, Floor), !.
 delta(1, _, 0.0).

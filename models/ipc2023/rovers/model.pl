@@ -1,4 +1,4 @@
-% SHA-256 of what follows: 98b0dd14d0a9ea329f1c5bb0c66d54958de7cb05781eec15e6abaef497c94ea6
+% SHA-256 of what follows: 1f03821cf7ad9593b684394f939ab098c29e2afdc5f54e9167335b17855a30ef
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).
@@ -13,7 +13,7 @@ model(format, 1).
 model(nppg, '0.1.0').
 model(prolog, '9.2.9').
 model(domain, 'rover.pl').
-model(domain_sha256, '4ebbfbb3cd48e4fd21b51d97e5ce33c68b2d6af10e05ec7b8d984fe137868031').
+model(domain_sha256, d6a6ffe4508d716571a413e78c42bc6cd5432fe3a89a2bca725e39d74a8aad4c).
 model(action, navigate(rover, waypoint, waypoint)).
 model(action, sample_soil(rover, store, waypoint)).
 model(action, sample_rock(rover, store, waypoint)).
@@ -202,8 +202,8 @@ model(tree, significance=1.0).
 model(tree, granularity=0).
 model(curve, evaluate_every=0).
 model(curve, seconds=120.0).
-model(trained_episodes, 352).
-model(trees, 29).
+model(trained_episodes, 469).
+model(trees, 39).
 
 % Lets plain Prolog load the domain: what its declarations mean.
 :- op(1150, fx, user:[fluent, static, interchangeable]).
@@ -1279,3 +1279,469 @@ delta(29, communicate_image_data(Rover, _, _, _, Waypoint, Waypoint2), -6.955021
 delta(29, communicate_image_data(Rover, _, _, _, _, Waypoint), 0.002449347675423483) :- could_sample_rock(Rover, Waypoint), !.
 delta(29, communicate_image_data(_, _, _, _, _, _), -0.08140248262961129) :- !.
 delta(29, _, 0.0).
+
+% tree 30: step size 1.0, 204 examples, 45 leaves
+delta(30, navigate(Rover, Waypoint, Waypoint2), -0.010950960565944504) :- toward_could_communicate_rock_data(Rover, Waypoint, Waypoint2), have_soil_analysis(_, Waypoint), !.
+delta(30, navigate(Rover, Waypoint, Waypoint2), 0.0) :- toward_could_communicate_rock_data(Rover, Waypoint, Waypoint2), todo_communicated_rock_data(Waypoint3), toward_could_calibrate(Rover, Waypoint, Waypoint3), !.
+delta(30, navigate(Rover, Waypoint, Waypoint2), 0.6760637436291015) :- toward_could_communicate_rock_data(Rover, Waypoint, Waypoint2), !.
+delta(30, navigate(Rover, Waypoint, Waypoint2), -0.006538961903591771) :- todo_communicated_soil_data(Waypoint3), toward_could_communicate_image_data(Rover, Waypoint3, Waypoint2), todo_communicated_soil_data(Waypoint4), toward_could_communicate_soil_data(Rover, Waypoint4, Waypoint), !.
+delta(30, navigate(Rover, _, Waypoint), 0.08583684865905808) :- todo_communicated_soil_data(Waypoint2), toward_could_communicate_image_data(Rover, Waypoint2, Waypoint), !.
+delta(30, navigate(Rover, _, Waypoint), 0.06263557522513082) :- needed_at_to_sample_rock_to_communicate_rock_data(Rover, Waypoint), !.
+delta(30, navigate(_, _, _), -0.24733378162628447) :- !.
+delta(30, sample_soil(Rover, _, _), -0.009437980457897828) :- todo_communicated_rock_data(Waypoint), have_rock_analysis(_, Waypoint), could_communicate_rock_data(Rover, Waypoint), !.
+delta(30, sample_soil(Rover, _, Waypoint), -0.002333065571769676) :- todo_communicated_rock_data(Waypoint2), have_rock_analysis(_, Waypoint2), could_take_image(Rover, Waypoint), !.
+delta(30, sample_soil(_, _, _), 0.10071835754503056) :- todo_communicated_rock_data(Waypoint), have_rock_analysis(_, Waypoint), !.
+delta(30, sample_soil(_, _, Waypoint), 0.002477743083055728) :- todo_communicated_soil_data(Waypoint), !.
+delta(30, sample_soil(_, _, _), -0.025015068190583696) :- !.
+delta(30, sample_rock(Rover, _, Waypoint), -0.03376781397942443) :- could_calibrate(Rover, Waypoint), !.
+delta(30, sample_rock(_, _, Waypoint), 0.10652563591229124) :- todo_communicated_rock_data(Waypoint), !.
+delta(30, sample_rock(_, _, _), -0.0036779128175991474) :- !.
+delta(30, drop(Rover, _), 0.01674934787785509) :- todo_communicated_soil_data(Waypoint), at_soil_sample(Waypoint), communicated_rock_data(Waypoint2), at(Rover, Waypoint2), !.
+delta(30, drop(_, _), -0.03519451086437358) :- todo_communicated_soil_data(Waypoint), at_soil_sample(Waypoint), communicated_rock_data(_), !.
+delta(30, drop(_, _), 0.09432805456262054) :- todo_communicated_soil_data(Waypoint), at_soil_sample(Waypoint), !.
+delta(30, drop(_, _), -0.0027191462677983503) :- fewer_have_soil_analysis_1_than_have_soil_analysis_2, at_soil_sample(_), !.
+delta(30, drop(_, _), 0.012720803641742549) :- fewer_have_soil_analysis_1_than_have_soil_analysis_2, !.
+delta(30, drop(_, _), 0.0004965616552827456) :- todo_communicated_soil_data(Waypoint), unsettled_visible_todo_communicated_rock_data(Waypoint), !.
+delta(30, drop(_, _), -0.8539807165382192) :- !.
+delta(30, calibrate(Rover, _, Objective, Waypoint), -2.327613856830167e-5) :- could_calibrate_through_supports_for_todo_communicated_image_data_2_camera(Rover, Waypoint), todo_communicated_image_data(Objective, Is_mode), needed_have_image_to_communicate_image_data(Objective, Is_mode), calibrated(_, Rover), !.
+delta(30, calibrate(Rover, _, Objective, Waypoint), 0.012393558232096745) :- could_calibrate_through_supports_for_todo_communicated_image_data_2_camera(Rover, Waypoint), todo_communicated_image_data(Objective, Is_mode), needed_have_image_to_communicate_image_data(Objective, Is_mode), !.
+delta(30, calibrate(Rover, _, _, Waypoint), 0.0021871635383127618) :- could_calibrate_through_supports_for_todo_communicated_image_data_2_camera(Rover, Waypoint), fewer_at_1_than_todo_communicated_image_data_1, !.
+delta(30, calibrate(Rover, _, _, Waypoint), -0.0759109688922838) :- could_calibrate_through_supports_for_todo_communicated_image_data_2_camera(Rover, Waypoint), !.
+delta(30, calibrate(Rover, _, _, Waypoint), -0.007244335119466708) :- todo_communicated_rock_data(Waypoint2), can_traverse(Rover, Waypoint, Waypoint2), !.
+delta(30, calibrate(_, _, _, _), 0.2438782807494403) :- todo_communicated_rock_data(Waypoint), have_rock_analysis(_, Waypoint), !.
+delta(30, calibrate(_, _, _, _), -0.0035153035124793606) :- !.
+delta(30, take_image(Rover, Waypoint, Objective, _, Is_mode), 0.007364287905018956) :- could_communicate_soil_data(Rover, Waypoint), todo_communicated_image_data(Objective, Is_mode), !.
+delta(30, take_image(Rover, Waypoint, _, _, _), -0.0023006904339006253) :- could_communicate_soil_data(Rover, Waypoint), !.
+delta(30, take_image(_, _, Objective, _, Is_mode), 0.004937074877723303) :- fewer_at_1_than_todo_communicated_image_data_1, needed_have_image_to_communicate_image_data(Objective, Is_mode), !.
+delta(30, take_image(_, _, _, _, _), -0.003934789796771405) :- fewer_at_1_than_todo_communicated_image_data_1, !.
+delta(30, take_image(Rover, _, _, _, _), 0.0) :- todo_communicated_rock_data(Waypoint), could_take_image_through_calibration_target_for_todo_communicated_image_data_1_camera(Rover, Waypoint), !.
+delta(30, take_image(_, _, _, _, _), -0.07012352841213512) :- !.
+delta(30, communicate_soil_data(Rover, _, Waypoint, Waypoint2, _), 0.041581834823859645) :- todo_communicated_soil_data(Waypoint3), nearer_at(Rover, Waypoint2, Waypoint, Waypoint3), !.
+delta(30, communicate_soil_data(_, _, Waypoint, _, _), 0.0004362573136914672) :- have_rock_analysis(_, Waypoint), !.
+delta(30, communicate_soil_data(_, _, _, _, _), -0.017775824208778043) :- !.
+delta(30, communicate_rock_data(_, _, Waypoint, _, _), 0.016567681293258984) :- todo_communicated_rock_data(Waypoint), !.
+delta(30, communicate_rock_data(_, _, _, _, _), -0.008647911853930951) :- !.
+delta(30, communicate_image_data(Rover, _, Objective, Is_mode, Waypoint, _), 0.0002259978239303974) :- todo_communicated_image_data(Objective, Is_mode), could_calibrate_needed_calibrated_to_take_image_to_communicate_image_data(Rover, Waypoint), todo_communicated_image_data(Objective2, Is_mode), communicated_image_data(Objective2, _), !.
+delta(30, communicate_image_data(Rover, _, Objective, Is_mode, Waypoint, _), -0.0036157104560715775) :- todo_communicated_image_data(Objective, Is_mode), could_calibrate_needed_calibrated_to_take_image_to_communicate_image_data(Rover, Waypoint), !.
+delta(30, communicate_image_data(_, _, Objective, Is_mode, _, _), 0.017187299602384066) :- todo_communicated_image_data(Objective, Is_mode), !.
+delta(30, communicate_image_data(_, _, _, _, _, _), -0.013325745235097674) :- !.
+delta(30, _, 0.0).
+
+% tree 31: step size 1.0, 214 examples, 47 leaves
+delta(31, navigate(Rover, Waypoint, Waypoint2), -0.01584981186675881) :- todo_communicated_soil_data(Waypoint3), nearer_at(Rover, Waypoint, Waypoint2, Waypoint3), todo_communicated_soil_data(Waypoint4), at_rock_sample(Waypoint4), have_soil_analysis(Rover, Waypoint2), !.
+delta(31, navigate(Rover, Waypoint, Waypoint2), 0.19422918357434368) :- todo_communicated_soil_data(Waypoint3), nearer_at(Rover, Waypoint, Waypoint2, Waypoint3), todo_communicated_soil_data(Waypoint4), at_rock_sample(Waypoint4), !.
+delta(31, navigate(Rover, Waypoint, Waypoint2), 0.0031467394377286614) :- todo_communicated_soil_data(Waypoint3), nearer_at(Rover, Waypoint, Waypoint2, Waypoint3), fewer_have_image_1_than_todo_communicated_image_data_1, !.
+delta(31, navigate(Rover, Waypoint, Waypoint2), -0.030185480783324923) :- todo_communicated_soil_data(Waypoint3), nearer_at(Rover, Waypoint, Waypoint2, Waypoint3), !.
+delta(31, navigate(_, Waypoint, _), 0.03361305192279388) :- have_rock_analysis(Rover, Waypoint), todo_communicated_rock_data(Waypoint2), could_calibrate(Rover, Waypoint2), !.
+delta(31, navigate(_, Waypoint, _), -0.3766800259595716) :- have_rock_analysis(_, Waypoint), !.
+delta(31, navigate(Rover, Waypoint, Waypoint2), -0.05768188318184747) :- toward_could_sample_rock_needed_have_rock_analysis_to_communicate_rock_data(Rover, Waypoint, Waypoint2), !.
+delta(31, navigate(_, _, _), 0.1325157846182999) :- !.
+delta(31, sample_soil(Rover, _, Waypoint), -0.02237124823201012) :- todo_communicated_rock_data(Waypoint2), needed_at_to_sample_rock_to_communicate_rock_data(Rover, Waypoint2), todo_communicated_rock_data(Waypoint3), toward_could_sample_rock(Rover, Waypoint, Waypoint3), !.
+delta(31, sample_soil(Rover, _, _), 0.1294493098718421) :- todo_communicated_rock_data(Waypoint), needed_at_to_sample_rock_to_communicate_rock_data(Rover, Waypoint), !.
+delta(31, sample_soil(_, _, Waypoint), 0.0016575576321016777) :- todo_communicated_soil_data(Waypoint), !.
+delta(31, sample_soil(_, _, _), -0.061844049376166374) :- !.
+delta(31, sample_rock(_, _, _), 0.186643151779927) :- full(_), !.
+delta(31, sample_rock(_, _, _), 0.0034033402503686806) :- fewer_have_image_1_than_have_image_3, !.
+delta(31, sample_rock(_, _, _), 4.6869735930049385e-5) :- communicated_soil_data(_), !.
+delta(31, sample_rock(_, _, _), -0.023081438339787264) :- !.
+delta(31, drop(_, _), -0.002528382781560387) :- fewer_have_rock_analysis_1_than_have_rock_analysis_2, todo_communicated_rock_data(Waypoint), at_soil_sample(Waypoint), !.
+delta(31, drop(_, _), 0.03480175236231217) :- fewer_have_rock_analysis_1_than_have_rock_analysis_2, !.
+delta(31, drop(Rover, _), -0.00018346024578726718) :- todo_communicated_rock_data(Waypoint), could_take_image(Rover, Waypoint), todo_communicated_rock_data(Waypoint2), at(Rover, Waypoint2), !.
+delta(31, drop(Rover, _), 0.0020677674996113587) :- todo_communicated_rock_data(Waypoint), could_take_image(Rover, Waypoint), !.
+delta(31, drop(Rover, _), 0.001022291782392914) :- todo_communicated_rock_data(Waypoint), could_communicate_rock_data(Rover, Waypoint), !.
+delta(31, drop(_, _), -0.2343973883091066) :- !.
+delta(31, calibrate(Rover, Camera, Objective, _), 0.0016602310420063351) :- communicated_image_data(Objective, _), todo_communicated_image_data(Objective, Is_mode), supports(Camera, Is_mode), needed_calibrated_to_take_image_to_communicate_image_data(Camera, Rover), !.
+delta(31, calibrate(_, Camera, Objective, _), -0.0009430162157835105) :- communicated_image_data(Objective, _), todo_communicated_image_data(Objective, Is_mode), supports(Camera, Is_mode), !.
+delta(31, calibrate(_, _, Objective, _), -0.03501698663869319) :- communicated_image_data(Objective, _), !.
+delta(31, calibrate(Rover, Camera, _, Waypoint), 0.0026010412468576924) :- at_rock_sample(Waypoint), needed_calibrated_to_take_image_to_communicate_image_data(Camera, Rover), !.
+delta(31, calibrate(_, _, _, Waypoint), -0.008258530770079844) :- at_rock_sample(Waypoint), !.
+delta(31, calibrate(Rover, _, _, _), -0.005005011497131907) :- todo_communicated_rock_data(Waypoint), could_communicate_rock_data(Rover, Waypoint), !.
+delta(31, calibrate(_, _, _, _), 0.2171701830933741) :- !.
+delta(31, take_image(_, _, Objective, _, Is_mode), 0.00967613051379168) :- todo_communicated_image_data(Objective, Is_mode2), communicated_image_data(_, Is_mode2), needed_have_image_to_communicate_image_data(Objective, Is_mode), !.
+delta(31, take_image(_, _, Objective, _, _), -0.0006870846065695729) :- todo_communicated_image_data(Objective, Is_mode), communicated_image_data(_, Is_mode), !.
+delta(31, take_image(Rover, _, _, _, Is_mode), -0.0003826848858020235) :- todo_communicated_rock_data(Waypoint), could_take_image_needed_have_image_to_communicate_image_data(Rover, Waypoint), todo_communicated_image_data(Objective, Is_mode), have_image(Rover, Objective, Is_mode), !.
+delta(31, take_image(Rover, _, _, _, _), 0.0015663381039419783) :- todo_communicated_rock_data(Waypoint), could_take_image_needed_have_image_to_communicate_image_data(Rover, Waypoint), !.
+delta(31, take_image(Rover, Waypoint, _, _, _), 2.9658220225115148e-5) :- todo_communicated_soil_data(Waypoint2), toward_could_take_image_needed_have_image_to_communicate_image_data(Rover, Waypoint2, Waypoint), !.
+delta(31, take_image(_, _, _, _, _), -0.0642167098364089) :- !.
+delta(31, communicate_soil_data(Rover, _, Waypoint, Waypoint2, _), -0.00390718663250533) :- toward_could_communicate_soil_data(Rover, Waypoint, Waypoint2), todo_communicated_rock_data(Waypoint3), toward_could_communicate_image_data(Rover, Waypoint3, Waypoint2), !.
+delta(31, communicate_soil_data(Rover, _, Waypoint, Waypoint2, _), 0.016918143269179443) :- toward_could_communicate_soil_data(Rover, Waypoint, Waypoint2), !.
+delta(31, communicate_soil_data(_, _, _, _, _), -0.036951891366653104) :- !.
+delta(31, communicate_rock_data(_, _, Waypoint, _, _), 0.015313227106466964) :- todo_communicated_rock_data(Waypoint), !.
+delta(31, communicate_rock_data(_, _, _, _, _), -0.06733987473086052) :- !.
+delta(31, communicate_image_data(Rover, _, Objective, Is_mode, Waypoint, Waypoint2), 0.006884021626536602) :- goal_communicated_image_data(_, Is_mode), toward_could_calibrate_for_todo_communicated_image_data_objective_any(Rover, Waypoint, Waypoint2), todo_communicated_image_data(Objective, Is_mode), !.
+delta(31, communicate_image_data(Rover, _, _, Is_mode, Waypoint, Waypoint2), -0.0006651310511214607) :- goal_communicated_image_data(_, Is_mode), toward_could_calibrate_for_todo_communicated_image_data_objective_any(Rover, Waypoint, Waypoint2), !.
+delta(31, communicate_image_data(Rover, _, _, Is_mode, Waypoint, _), 0.001953249164380467) :- goal_communicated_image_data(_, Is_mode), could_take_image_through_calibration_target_for_todo_communicated_image_data_1_camera(Rover, Waypoint), !.
+delta(31, communicate_image_data(_, _, _, Is_mode, _, _), -0.10276903967270115) :- goal_communicated_image_data(_, Is_mode), !.
+delta(31, communicate_image_data(_, _, _, _, _, Waypoint), 0.18707239116662805) :- at_soil_sample(Waypoint), !.
+delta(31, communicate_image_data(_, _, _, _, _, _), -0.010929826410455954) :- !.
+delta(31, _, 0.0).
+
+% tree 32: step size 1.0, 215 examples, 50 leaves
+delta(32, navigate(Rover, Waypoint, Waypoint2), -0.034322443568310344) :- have_soil_analysis(Rover, _), toward_could_sample_soil_needed_have_soil_analysis_to_communicate_soil_data(Rover, Waypoint2, Waypoint), !.
+delta(32, navigate(Rover, Waypoint, Waypoint2), -0.024777043873080978) :- have_soil_analysis(Rover, _), toward_could_calibrate_through_supports_for_todo_communicated_image_data_2_camera(Rover, Waypoint2, Waypoint), !.
+delta(32, navigate(Rover, _, _), 0.4255361026459498) :- have_soil_analysis(Rover, _), !.
+delta(32, navigate(Rover, _, Waypoint), -0.04993909659645159) :- at_rock_sample(Waypoint), could_sample_soil(Rover, Waypoint), !.
+delta(32, navigate(_, _, Waypoint), 0.11287172246612749) :- at_rock_sample(Waypoint), !.
+delta(32, navigate(Rover, Waypoint, Waypoint2), 0.0329865276382646) :- toward_could_sample_soil(Rover, Waypoint2, Waypoint), !.
+delta(32, navigate(_, _, _), -0.24086246002475942) :- !.
+delta(32, sample_soil(_, _, Waypoint), -0.0237603319152324) :- todo_communicated_rock_data(Waypoint), !.
+delta(32, sample_soil(_, _, Waypoint), 0.07775805247805037) :- unsettled_visible(Waypoint), !.
+delta(32, sample_soil(_, _, _), -0.0001733689204568626) :- !.
+delta(32, sample_rock(_, _, Waypoint), 0.49698473654453157) :- todo_communicated_rock_data(Waypoint), !.
+delta(32, sample_rock(_, _, _), -0.02203666341530063) :- !.
+delta(32, drop(_, _), 0.0760941497447842) :- communicated_soil_data(_), at_rock_sample(_), !.
+delta(32, drop(_, _), -0.02490318122473408) :- communicated_soil_data(_), !.
+delta(32, drop(_, _), -0.00036681139426313156) :- todo_communicated_soil_data(Waypoint), unsettled_visible_todo_communicated_rock_data(Waypoint), fewer_have_image_1_than_todo_communicated_image_data_2, !.
+delta(32, drop(_, _), 0.024112277705757183) :- todo_communicated_soil_data(Waypoint), unsettled_visible_todo_communicated_rock_data(Waypoint), !.
+delta(32, drop(_, _), 0.017691915108889254) :- communicated_rock_data(_), !.
+delta(32, drop(_, _), -0.4317556124509084) :- !.
+delta(32, calibrate(Rover, _, _, Waypoint), 1.3438308197617848e-5) :- at_rock_sample(Waypoint), todo_communicated_rock_data(Waypoint2), at_rock_sample(Waypoint2), todo_communicated_rock_data(Waypoint3), could_calibrate_needed_calibrated_to_take_image_to_communicate_image_data(Rover, Waypoint3), !.
+delta(32, calibrate(_, _, _, Waypoint), -0.15098928245428098) :- at_rock_sample(Waypoint), todo_communicated_rock_data(Waypoint2), at_rock_sample(Waypoint2), !.
+delta(32, calibrate(_, _, _, Waypoint), 0.02169195748559143) :- at_rock_sample(Waypoint), !.
+delta(32, calibrate(Rover, Camera, _, _), 0.0027436701785509897) :- fewer_have_image_1_than_have_image_3, needed_calibrated_to_take_image_to_communicate_image_data(Camera, Rover), !.
+delta(32, calibrate(_, _, _, _), -0.011595645036749602) :- fewer_have_image_1_than_have_image_3, !.
+delta(32, calibrate(_, _, _, Waypoint), -0.0013637425216507452) :- todo_communicated_rock_data(Waypoint2), visible(Waypoint, Waypoint2), !.
+delta(32, calibrate(_, _, _, _), 0.17834033905907112) :- !.
+delta(32, take_image(_, _, Objective, Camera, _), 0.03428577504130504) :- fewer_have_rock_analysis_1_than_have_rock_analysis_2, calibration_target(Camera, Objective), !.
+delta(32, take_image(_, _, _, _, _), -0.0004994181117737443) :- fewer_have_rock_analysis_1_than_have_rock_analysis_2, !.
+delta(32, take_image(Rover, _, Objective, Camera, _), 0.0007050466268400398) :- calibration_target(Camera, Objective), todo_communicated_rock_data(Waypoint), could_take_image_needed_have_image_to_communicate_image_data(Rover, Waypoint), !.
+delta(32, take_image(_, _, Objective, Camera, _), -0.12399130504713497) :- calibration_target(Camera, Objective), !.
+delta(32, take_image(_, _, Objective, _, Is_mode), 0.040589831980181866) :- todo_communicated_image_data(Objective, Is_mode), !.
+delta(32, take_image(_, _, _, _, _), -0.023572172122173808) :- !.
+delta(32, communicate_soil_data(Rover, _, _, _, Waypoint), 0.025412950116532617) :- communicated_soil_data(_), todo_communicated_soil_data(Waypoint2), toward_could_communicate_soil_data(Rover, Waypoint, Waypoint2), !.
+delta(32, communicate_soil_data(Rover, _, _, Waypoint, _), 0.00017364375954298357) :- communicated_soil_data(_), todo_communicated_soil_data(Waypoint2), toward_could_communicate_soil_data(Rover, Waypoint2, Waypoint), !.
+delta(32, communicate_soil_data(_, _, _, _, _), -0.02296123525281938) :- communicated_soil_data(_), !.
+delta(32, communicate_soil_data(_, _, Waypoint, _, _), 0.0031752402053333876) :- fewer_have_image_1_than_have_image_3, todo_communicated_soil_data(Waypoint), !.
+delta(32, communicate_soil_data(_, _, _, _, _), -0.0012459805437629496) :- fewer_have_image_1_than_have_image_3, !.
+delta(32, communicate_soil_data(_, _, _, _, Waypoint), 9.21684549987445e-5) :- todo_communicated_soil_data(Waypoint), !.
+delta(32, communicate_soil_data(_, _, _, _, _), -0.06477720671836285) :- !.
+delta(32, communicate_rock_data(Rover, _, _, _, _), 0.013186941975907892) :- todo_communicated_rock_data(Waypoint), could_communicate_rock_data(Rover, Waypoint), !.
+delta(32, communicate_rock_data(_, _, _, _, _), -0.39355046040934044) :- at_rock_sample(_), !.
+delta(32, communicate_rock_data(_, _, Waypoint, _, _), 0.008064224577945771) :- todo_communicated_rock_data(Waypoint), !.
+delta(32, communicate_rock_data(_, _, _, _, _), -0.0035300365692271587) :- !.
+delta(32, communicate_image_data(_, _, Objective, Is_mode, Waypoint, _), 0.0009172631594912275) :- communicated_image_data(Objective, _), todo_communicated_image_data(Objective2, Is_mode), visible_from(Objective2, Waypoint), !.
+delta(32, communicate_image_data(Rover, _, Objective, _, Waypoint, Waypoint2), 0.00023774173010500393) :- communicated_image_data(Objective, _), toward_could_communicate_image_data_through_visible_from_back_for_todo_communicated_image_data_1_waypoint(Rover, Waypoint, Waypoint2), !.
+delta(32, communicate_image_data(_, _, Objective, _, _, _), -0.03590521206775214) :- communicated_image_data(Objective, _), !.
+delta(32, communicate_image_data(Rover, _, _, _, Waypoint, _), -0.015578972874043551) :- could_communicate_soil_data(Rover, Waypoint), have_rock_analysis(Rover, _), !.
+delta(32, communicate_image_data(Rover, _, _, _, Waypoint, _), 0.0006292636053643174) :- could_communicate_soil_data(Rover, Waypoint), !.
+delta(32, communicate_image_data(Rover, _, _, _, Waypoint, _), -0.000733473286570174) :- could_communicate_rock_data(Rover, Waypoint), !.
+delta(32, communicate_image_data(_, _, _, _, _, _), 0.054614432279642224) :- !.
+delta(32, _, 0.0).
+
+% tree 33: step size 1.0, 212 examples, 44 leaves
+delta(33, navigate(Rover, _, Waypoint), 0.02392451825925497) :- needed_at_to_communicate_rock_data(Waypoint), could_calibrate_through_supports_for_todo_communicated_image_data_2_camera(Rover, Waypoint), !.
+delta(33, navigate(Rover, _, Waypoint), 0.014911197574305882) :- needed_at_to_communicate_rock_data(Waypoint), have_rock_analysis(Rover, Waypoint), !.
+delta(33, navigate(_, _, Waypoint), -0.22848256949386514) :- needed_at_to_communicate_rock_data(Waypoint), !.
+delta(33, navigate(_, _, Waypoint), 0.021629933696338872) :- at_rock_sample(Waypoint), todo_communicated_rock_data(Waypoint), !.
+delta(33, navigate(_, _, Waypoint), -0.10286667258505812) :- at_rock_sample(Waypoint), !.
+delta(33, navigate(_, _, Waypoint), -0.02511483675774989) :- goal_communicated_rock_data(Waypoint), !.
+delta(33, navigate(_, _, _), 0.3945798404549189) :- !.
+delta(33, sample_soil(_, _, _), 0.05859444965880831) :- todo_communicated_rock_data(Waypoint), needed_at_to_communicate_rock_data(Waypoint), !.
+delta(33, sample_soil(Rover, _, _), 0.0001597198385789714) :- have_rock_analysis(Rover, _), !.
+delta(33, sample_soil(_, _, _), -0.04848676419087847) :- !.
+delta(33, sample_rock(Rover, _, Waypoint), -0.0007945697440053481) :- todo_communicated_rock_data(Waypoint2), could_calibrate(Rover, Waypoint2), todo_communicated_rock_data(Waypoint3), nearer_at(Rover, Waypoint, Waypoint2, Waypoint3), !.
+delta(33, sample_rock(Rover, _, _), 0.03893828707248303) :- todo_communicated_rock_data(Waypoint), could_calibrate(Rover, Waypoint), !.
+delta(33, sample_rock(_, _, Waypoint), 0.0010861359927770277) :- fewer_have_image_1_than_have_image_3, todo_communicated_rock_data(Waypoint), !.
+delta(33, sample_rock(_, _, _), -0.0007655589264467588) :- fewer_have_image_1_than_have_image_3, !.
+delta(33, sample_rock(_, _, _), -0.021266853810777427) :- !.
+delta(33, drop(Rover, _), 0.0020343965053131324) :- calibrated(_, Rover), todo_communicated_rock_data(Waypoint), at_soil_sample(Waypoint), !.
+delta(33, drop(Rover, _), -0.15866915205269702) :- calibrated(_, Rover), !.
+delta(33, drop(_, _), -0.00863938137090527) :- fewer_have_soil_analysis_1_than_have_soil_analysis_2, !.
+delta(33, drop(Rover, _), -0.006473424109994032) :- todo_communicated_rock_data(Waypoint), could_communicate_rock_data(Rover, Waypoint), !.
+delta(33, drop(_, _), 0.07475376524648407) :- !.
+delta(33, calibrate(Rover, Camera, _, _), 0.002504102493583534) :- todo_communicated_rock_data(Waypoint), could_sample_rock(Rover, Waypoint), needed_calibrated_to_take_image_to_communicate_image_data(Camera, Rover), !.
+delta(33, calibrate(Rover, _, _, _), -0.0002464326625626179) :- todo_communicated_rock_data(Waypoint), could_sample_rock(Rover, Waypoint), !.
+delta(33, calibrate(Rover, _, _, _), 0.0005896035806494171) :- todo_communicated_rock_data(Waypoint), could_calibrate_needed_calibrated_to_take_image_to_communicate_image_data(Rover, Waypoint), !.
+delta(33, calibrate(Rover, _, _, Waypoint), 0.0004526294887257671) :- todo_communicated_rock_data(Waypoint2), toward_could_calibrate_needed_calibrated_to_take_image_to_communicate_image_data(Rover, Waypoint2, Waypoint), !.
+delta(33, calibrate(_, _, _, _), -0.05483362463594059) :- !.
+delta(33, take_image(Rover, _, Objective, Camera, Is_mode), 0.002053122199250392) :- calibration_target(Camera, Objective), have_soil_analysis(Rover, _), todo_communicated_image_data(Objective2, Is_mode), needed_have_image_to_communicate_image_data(Objective2, Is_mode), !.
+delta(33, take_image(Rover, _, Objective, Camera, _), -0.0002648537110450276) :- calibration_target(Camera, Objective), have_soil_analysis(Rover, _), !.
+delta(33, take_image(_, Waypoint, Objective, Camera, _), 0.00043259263645849185) :- calibration_target(Camera, Objective), todo_communicated_rock_data(Waypoint2), visible(Waypoint, Waypoint2), !.
+delta(33, take_image(_, _, Objective, Camera, _), -0.04601045074546493) :- calibration_target(Camera, Objective), !.
+delta(33, take_image(_, _, Objective, _, _), -0.02941997359531068) :- todo_communicated_rock_data(Waypoint), visible_from(Objective, Waypoint), !.
+delta(33, take_image(_, Waypoint, _, _, _), -0.002114925823894468) :- todo_communicated_rock_data(Waypoint2), visible(Waypoint, Waypoint2), !.
+delta(33, take_image(_, _, _, _, _), 0.08940827928087995) :- !.
+delta(33, communicate_soil_data(Rover, _, Waypoint, Waypoint2, _), 0.012308574103707295) :- todo_communicated_soil_data(Waypoint3), nearer_at(Rover, Waypoint2, Waypoint, Waypoint3), !.
+delta(33, communicate_soil_data(Rover, _, _, _, _), 0.0005017661334249937) :- todo_communicated_soil_data(Waypoint), could_calibrate(Rover, Waypoint), !.
+delta(33, communicate_soil_data(Rover, _, Waypoint, _, _), 0.0003787517509143287) :- could_take_image(Rover, Waypoint), !.
+delta(33, communicate_soil_data(_, _, _, _, _), -0.05708813644149693) :- !.
+delta(33, communicate_rock_data(_, _, Waypoint, _, _), 0.017818663872926358) :- todo_communicated_rock_data(Waypoint), !.
+delta(33, communicate_rock_data(_, _, _, _, _), -0.02892781491791651) :- !.
+delta(33, communicate_image_data(_, _, _, _, _, _), 0.0024791898341895275) :- todo_communicated_rock_data(_), fewer_have_image_1_than_todo_communicated_image_data_1, !.
+delta(33, communicate_image_data(Rover, _, _, _, Waypoint, _), 0.00010172084693938041) :- todo_communicated_rock_data(_), could_take_image_for_todo_communicated_image_data_any_is_mode(Rover, Waypoint), !.
+delta(33, communicate_image_data(_, _, _, _, _, _), -0.0664853990486594) :- todo_communicated_rock_data(_), !.
+delta(33, communicate_image_data(_, _, Objective, Is_mode, _, _), 0.04735158340928293) :- todo_communicated_image_data(Objective, Is_mode), !.
+delta(33, communicate_image_data(_, _, _, _, _, _), -0.0034152258543763588) :- !.
+delta(33, _, 0.0).
+
+% tree 34: step size 1.0, 207 examples, 42 leaves
+delta(34, navigate(Rover, _, Waypoint), -0.005115775695658225) :- goal_communicated_soil_data(Waypoint), todo_communicated_soil_data(Waypoint2), have_soil_analysis(Rover, Waypoint2), !.
+delta(34, navigate(Rover, Waypoint, Waypoint2), -0.0013669037344092284) :- goal_communicated_soil_data(Waypoint2), todo_communicated_rock_data(Waypoint3), nearer_at(Rover, Waypoint3, Waypoint, Waypoint2), !.
+delta(34, navigate(_, _, Waypoint), 0.09114121409214469) :- goal_communicated_soil_data(Waypoint), !.
+delta(34, navigate(_, Waypoint, Waypoint2), -0.012210977253068097) :- goal_communicated_rock_data(Waypoint2), needed_have_soil_analysis_to_communicate_soil_data(Waypoint), !.
+delta(34, navigate(_, _, Waypoint), 0.04710207033385627) :- goal_communicated_rock_data(Waypoint), !.
+delta(34, navigate(Rover, _, Waypoint), 0.02376210688205979) :- todo_communicated_rock_data(Waypoint2), toward_could_sample_soil(Rover, Waypoint, Waypoint2), !.
+delta(34, navigate(_, _, _), -0.13371473370283968) :- !.
+delta(34, sample_soil(_, _, Waypoint), -0.06460570957484575) :- at_rock_sample(Waypoint), !.
+delta(34, sample_soil(Rover, _, Waypoint), -0.004244925772099819) :- todo_communicated_rock_data(Waypoint2), can_traverse(Rover, Waypoint, Waypoint2), !.
+delta(34, sample_soil(_, _, Waypoint), 0.022430361092620026) :- unsettled_visible(Waypoint), !.
+delta(34, sample_soil(_, _, _), -0.0007714021952444415) :- !.
+delta(34, sample_rock(Rover, _, Waypoint), 0.08152242513447544) :- todo_communicated_rock_data(Waypoint), equipped_for_imaging(Rover), !.
+delta(34, sample_rock(_, _, Waypoint), -0.001811699151496711) :- todo_communicated_rock_data(Waypoint), !.
+delta(34, sample_rock(_, _, _), -0.015691307972592234) :- !.
+delta(34, drop(Rover, _), -6.291356415965484e-5) :- goal_communicated_soil_data(_), todo_communicated_soil_data(Waypoint), at(Rover, Waypoint), fewer_have_image_1_than_todo_communicated_image_data_2, !.
+delta(34, drop(Rover, _), 0.014007971233274349) :- goal_communicated_soil_data(_), todo_communicated_soil_data(Waypoint), at(Rover, Waypoint), !.
+delta(34, drop(Rover, _), 0.0032923448213504226) :- goal_communicated_soil_data(Waypoint), todo_communicated_rock_data(Waypoint2), toward_could_calibrate(Rover, Waypoint, Waypoint2), !.
+delta(34, drop(_, _), -0.03927756798057533) :- goal_communicated_soil_data(_), !.
+delta(34, drop(Rover, _), -0.000822777271131272) :- todo_communicated_rock_data(Waypoint), at(Rover, Waypoint), could_communicate_rock_data(Rover, Waypoint), !.
+delta(34, drop(Rover, _), 0.08865209842804336) :- todo_communicated_rock_data(Waypoint), at(Rover, Waypoint), !.
+delta(34, drop(_, _), -0.007382646736503452) :- !.
+delta(34, calibrate(Rover, _, Objective, Waypoint), -0.00022556515273346026) :- have_soil_analysis(Rover, Waypoint), have_image(Rover, Objective, _), !.
+delta(34, calibrate(Rover, _, _, Waypoint), 0.016494876243343226) :- have_soil_analysis(Rover, Waypoint), !.
+delta(34, calibrate(Rover, _, _, _), 0.0019617327843135203) :- todo_communicated_rock_data(Waypoint), needed_at_to_take_image_to_communicate_image_data(Rover, Waypoint), !.
+delta(34, calibrate(Rover, _, _, _), 0.0012886626536532306) :- todo_communicated_rock_data(Waypoint), could_calibrate_needed_calibrated_to_take_image_to_communicate_image_data(Rover, Waypoint), !.
+delta(34, calibrate(_, _, _, _), -0.04879718694859571) :- !.
+delta(34, take_image(_, Waypoint, Objective, Camera, Is_mode), -0.028452899856375894) :- goal_communicated_image_data(Objective, Is_mode), calibration_target(Camera, Objective), at_soil_sample(Waypoint), !.
+delta(34, take_image(_, _, Objective, Camera, Is_mode), 0.02583444138854025) :- goal_communicated_image_data(Objective, Is_mode), calibration_target(Camera, Objective), !.
+delta(34, take_image(_, _, Objective, _, Is_mode), 0.033533951362643866) :- goal_communicated_image_data(Objective, Is_mode), todo_communicated_image_data(Objective2, Is_mode), needed_have_image_to_communicate_image_data(Objective2, Is_mode), !.
+delta(34, take_image(_, _, Objective, _, Is_mode), -0.0006839309554751588) :- goal_communicated_image_data(Objective, Is_mode), !.
+delta(34, take_image(_, _, _, _, _), -0.014827937060181933) :- !.
+delta(34, communicate_soil_data(Rover, _, Waypoint, Waypoint2, _), -0.0031549834745290667) :- todo_communicated_soil_data(Waypoint), could_calibrate_needed_calibrated_to_take_image_to_communicate_image_data(Rover, Waypoint2), !.
+delta(34, communicate_soil_data(_, _, Waypoint, _, _), 0.013759475715747928) :- todo_communicated_soil_data(Waypoint), !.
+delta(34, communicate_soil_data(_, _, _, _, _), -0.055487992897645076) :- !.
+delta(34, communicate_rock_data(_, _, Waypoint, _, _), 0.02832370773705241) :- todo_communicated_rock_data(Waypoint), !.
+delta(34, communicate_rock_data(_, _, _, _, _), -0.05392541477006529) :- !.
+delta(34, communicate_image_data(Rover, _, Objective, Is_mode, Waypoint, Waypoint2), 8.590413648571539e-7) :- todo_communicated_image_data(Objective2, Is_mode), have_image(Rover, Objective2, Is_mode2), toward_could_take_image(Rover, Waypoint, Waypoint2), communicated_image_data(Objective, Is_mode2), !.
+delta(34, communicate_image_data(Rover, _, _, Is_mode, Waypoint, Waypoint2), -0.0017781380490053135) :- todo_communicated_image_data(Objective, Is_mode), have_image(Rover, Objective, _), toward_could_take_image(Rover, Waypoint, Waypoint2), !.
+delta(34, communicate_image_data(Rover, _, Objective, Is_mode, _, _), 0.04800052807584212) :- todo_communicated_image_data(Objective2, Is_mode), have_image(Rover, Objective2, Is_mode2), todo_communicated_image_data(Objective, Is_mode2), !.
+delta(34, communicate_image_data(Rover, _, _, Is_mode, _, _), -0.0006098114583620857) :- todo_communicated_image_data(Objective, Is_mode), have_image(Rover, Objective, _), !.
+delta(34, communicate_image_data(_, _, _, _, _, _), -0.025198907484053994) :- !.
+delta(34, _, 0.0).
+
+% tree 35: step size 1.0, 232 examples, 42 leaves
+delta(35, navigate(Rover, Waypoint, Waypoint2), -0.01605054737532294) :- toward_could_communicate_rock_data_todo_communicated_rock_data(Rover, Waypoint, Waypoint2), have_soil_analysis(Rover, Waypoint2), !.
+delta(35, navigate(Rover, Waypoint, Waypoint2), -0.0003323157339323323) :- toward_could_communicate_rock_data_todo_communicated_rock_data(Rover, Waypoint, Waypoint2), todo_communicated_rock_data(Waypoint3), could_calibrate_needed_calibrated_to_take_image_to_communicate_image_data(Rover, Waypoint3), !.
+delta(35, navigate(Rover, Waypoint, Waypoint2), 0.12032784603877335) :- toward_could_communicate_rock_data_todo_communicated_rock_data(Rover, Waypoint, Waypoint2), !.
+delta(35, navigate(Rover, Waypoint, Waypoint2), -0.023789401100505824) :- toward_could_sample_soil(Rover, Waypoint, Waypoint2), todo_communicated_soil_data(Waypoint3), toward_could_sample_soil_needed_have_soil_analysis_to_communicate_soil_data(Rover, Waypoint2, Waypoint3), !.
+delta(35, navigate(Rover, Waypoint, Waypoint2), 0.07809256594558225) :- toward_could_sample_soil(Rover, Waypoint, Waypoint2), !.
+delta(35, navigate(Rover, _, Waypoint), 0.02358996329095073) :- todo_communicated_soil_data(Waypoint2), toward_could_communicate_image_data(Rover, Waypoint2, Waypoint), !.
+delta(35, navigate(_, _, _), -0.3212599213629052) :- !.
+delta(35, sample_soil(Rover, _, Waypoint), 0.0044362590728093555) :- todo_communicated_rock_data(Waypoint2), could_calibrate(Rover, Waypoint2), todo_communicated_soil_data(Waypoint), !.
+delta(35, sample_soil(Rover, _, _), -0.017293972796868524) :- todo_communicated_rock_data(Waypoint), could_calibrate(Rover, Waypoint), !.
+delta(35, sample_soil(Rover, _, Waypoint), -0.0016739238183953154) :- unsettled_visible(Waypoint), todo_communicated_rock_data(Waypoint2), can_traverse(Rover, Waypoint, Waypoint2), !.
+delta(35, sample_soil(_, _, Waypoint), 0.30577772769931333) :- unsettled_visible(Waypoint), !.
+delta(35, sample_soil(_, _, _), -0.004814891976096768) :- !.
+delta(35, sample_rock(Rover, _, Waypoint), -0.000630134473788891) :- have_soil_analysis(Rover, _), todo_communicated_soil_data(Waypoint), !.
+delta(35, sample_rock(Rover, _, _), 0.018590812918961787) :- have_soil_analysis(Rover, _), !.
+delta(35, sample_rock(Rover, _, _), 0.000815567870590712) :- todo_communicated_soil_data(Waypoint), needed_at_to_sample_soil_to_communicate_soil_data(Rover, Waypoint), !.
+delta(35, sample_rock(_, _, _), -0.2773405549403209) :- !.
+delta(35, drop(Rover, _), -0.005085284508702855) :- at_rock_sample(_), todo_communicated_rock_data(Waypoint), could_communicate_image_data(Rover, Waypoint), !.
+delta(35, drop(Rover, _), -0.004808451551293542) :- at_rock_sample(Waypoint), could_communicate_rock_data_for_todo_communicated_rock_data_waypoint_2(Rover, Waypoint), !.
+delta(35, drop(_, _), 0.14043103759424294) :- at_rock_sample(_), !.
+delta(35, drop(_, _), -0.010461270152545624) :- !.
+delta(35, calibrate(Rover, _, _, Waypoint), -0.0006173149338132692) :- could_communicate_soil_data(Rover, Waypoint), todo_communicated_soil_data(Waypoint2), toward_could_communicate_image_data(Rover, Waypoint2, Waypoint), !.
+delta(35, calibrate(Rover, _, _, Waypoint), -0.00019209877804809015) :- could_communicate_soil_data(Rover, Waypoint), could_sample_soil(Rover, Waypoint), !.
+delta(35, calibrate(Rover, _, _, Waypoint), 0.020913451295804877) :- could_communicate_soil_data(Rover, Waypoint), !.
+delta(35, calibrate(Rover, _, _, Waypoint), 0.0014798199982148821) :- unsettled_visible(Waypoint), todo_communicated_rock_data(Waypoint2), could_calibrate_needed_calibrated_to_take_image_to_communicate_image_data(Rover, Waypoint2), !.
+delta(35, calibrate(_, _, _, Waypoint), -0.06228763810993367) :- unsettled_visible(Waypoint), !.
+delta(35, calibrate(Rover, Camera, _, _), 0.010337889752420112) :- needed_calibrated_to_take_image_to_communicate_image_data(Camera, Rover), !.
+delta(35, calibrate(_, _, _, _), -0.0024432215337073346) :- !.
+delta(35, take_image(_, _, Objective, Camera, Is_mode), -0.02295470568364243) :- goal_communicated_image_data(_, Is_mode), needed_have_image_to_communicate_image_data(Objective, Is_mode), calibration_target(Camera, Objective), !.
+delta(35, take_image(_, _, Objective, _, Is_mode), 0.02850991810381054) :- goal_communicated_image_data(_, Is_mode), needed_have_image_to_communicate_image_data(Objective, Is_mode), !.
+delta(35, take_image(_, _, _, _, Is_mode), -0.04536394694749244) :- goal_communicated_image_data(_, Is_mode), !.
+delta(35, take_image(Rover, Waypoint, Objective, _, _), -2.4876731187836993e-5) :- could_communicate_image_data(Rover, Waypoint), todo_communicated_soil_data(Waypoint2), visible_from(Objective, Waypoint2), !.
+delta(35, take_image(Rover, Waypoint, _, _, _), 0.0686160460961038) :- could_communicate_image_data(Rover, Waypoint), !.
+delta(35, take_image(_, _, _, _, _), -0.001136513773096514) :- !.
+delta(35, communicate_soil_data(_, _, Waypoint, _, _), -0.014704590142065576) :- communicated_soil_data(Waypoint), !.
+delta(35, communicate_soil_data(Rover, _, _, Waypoint, _), -0.004895494107984586) :- could_calibrate_for_todo_communicated_image_data_objective_any(Rover, Waypoint), !.
+delta(35, communicate_soil_data(_, _, _, _, _), 0.036806329327201764) :- todo_communicated_soil_data(_), !.
+delta(35, communicate_soil_data(_, _, _, _, _), -0.0011503438819867777) :- !.
+delta(35, communicate_rock_data(_, _, Waypoint, _, _), 0.05280332421937726) :- todo_communicated_rock_data(Waypoint), !.
+delta(35, communicate_rock_data(_, _, _, _, _), -0.032494671800290295) :- !.
+delta(35, communicate_image_data(_, _, Objective, Is_mode, _, _), 0.040791780168242496) :- todo_communicated_image_data(Objective, Is_mode), !.
+delta(35, communicate_image_data(_, _, _, _, _, _), -0.02952803998785933) :- !.
+delta(35, _, 0.0).
+
+% tree 36: step size 1.0, 225 examples, 41 leaves
+delta(36, navigate(Rover, Waypoint, Waypoint2), -0.017849473250999105) :- have_soil_analysis(Rover, Waypoint3), todo_communicated_rock_data(Waypoint4), nearer_at(Rover, Waypoint4, Waypoint2, Waypoint3), communicated_soil_data(Waypoint), !.
+delta(36, navigate(Rover, _, Waypoint), 0.03984282555309571) :- have_soil_analysis(Rover, Waypoint2), todo_communicated_rock_data(Waypoint3), nearer_at(Rover, Waypoint3, Waypoint, Waypoint2), !.
+delta(36, navigate(Rover, _, Waypoint), -0.1492199576324397) :- have_soil_analysis(Rover, Waypoint2), visible(Waypoint, Waypoint2), !.
+delta(36, navigate(Rover, _, _), 0.008300595747723082) :- have_soil_analysis(Rover, _), !.
+delta(36, navigate(Rover, Waypoint, Waypoint2), -0.03719383792724224) :- todo_communicated_soil_data(Waypoint3), nearer_at(Rover, Waypoint2, Waypoint, Waypoint3), !.
+delta(36, navigate(Rover, Waypoint, _), -0.032933146449971265) :- todo_communicated_rock_data(Waypoint2), toward_could_sample_soil(Rover, Waypoint2, Waypoint), !.
+delta(36, navigate(_, _, _), 0.24630534493638012) :- !.
+delta(36, sample_soil(_, _, Waypoint), 0.029902164378411363) :- todo_communicated_soil_data(Waypoint), !.
+delta(36, sample_soil(_, _, _), -0.04555179036408987) :- !.
+delta(36, sample_rock(Rover, _, Waypoint), -0.06389034152692653) :- todo_communicated_rock_data(Waypoint2), can_traverse(Rover, Waypoint, Waypoint2), !.
+delta(36, sample_rock(_, _, Waypoint), -3.796730716083556e-5) :- todo_communicated_soil_data(Waypoint), !.
+delta(36, sample_rock(_, _, _), 0.10411204939740973) :- !.
+delta(36, drop(Rover, _), 0.00016289799796078889) :- todo_communicated_rock_data(Waypoint), at(Rover, Waypoint), todo_communicated_rock_data(Waypoint2), have_rock_analysis(Rover, Waypoint2), could_take_image(Rover, Waypoint), !.
+delta(36, drop(Rover, _), -0.0163188249015234) :- todo_communicated_rock_data(Waypoint), at(Rover, Waypoint), todo_communicated_rock_data(Waypoint2), have_rock_analysis(Rover, Waypoint2), !.
+delta(36, drop(Rover, _), 0.0028577684728267405) :- todo_communicated_rock_data(Waypoint), at(Rover, Waypoint), !.
+delta(36, drop(_, _), -0.0046591288622995115) :- fewer_have_image_1_than_todo_communicated_image_data_1, !.
+delta(36, drop(_, _), 0.07405928813752215) :- at_soil_sample(_), !.
+delta(36, drop(_, _), -0.0013946814424793137) :- !.
+delta(36, calibrate(_, _, _, _), 0.014939221168645125) :- fewer_have_soil_analysis_1_than_have_soil_analysis_2, !.
+delta(36, calibrate(Rover, Camera, _, _), 0.013984854779556669) :- fewer_have_image_1_than_todo_communicated_image_data_1, needed_calibrated_to_take_image_to_communicate_image_data(Camera, Rover), !.
+delta(36, calibrate(_, _, _, _), -0.0020817417886682555) :- fewer_have_image_1_than_todo_communicated_image_data_1, !.
+delta(36, calibrate(Rover, _, _, _), 0.001375550798471626) :- todo_communicated_soil_data(Waypoint), could_calibrate_needed_calibrated_to_take_image_to_communicate_image_data(Rover, Waypoint), !.
+delta(36, calibrate(_, _, _, _), -0.04676815312884529) :- !.
+delta(36, take_image(Rover, _, Objective, Camera, Is_mode), -0.003993347756196806) :- calibration_target(Camera, Objective), todo_communicated_image_data(Objective2, Is_mode), communicated_image_data(Objective2, _), have_image(Rover, Objective, Is_mode), !.
+delta(36, take_image(_, _, Objective, Camera, Is_mode), 0.012945103098714456) :- calibration_target(Camera, Objective), todo_communicated_image_data(Objective2, Is_mode), communicated_image_data(Objective2, _), !.
+delta(36, take_image(Rover, Waypoint, Objective, Camera, _), 8.043176528110702e-5) :- calibration_target(Camera, Objective), todo_communicated_soil_data(Waypoint2), can_traverse(Rover, Waypoint, Waypoint2), !.
+delta(36, take_image(_, _, Objective, Camera, _), -0.05207013231769199) :- calibration_target(Camera, Objective), !.
+delta(36, take_image(_, _, Objective, _, Is_mode), 0.026258540809246732) :- needed_have_image_to_communicate_image_data(Objective, Is_mode), !.
+delta(36, take_image(_, _, _, _, _), -0.013392339174125264) :- !.
+delta(36, communicate_soil_data(_, _, Waypoint, _, _), 0.006622711717064445) :- todo_communicated_soil_data(Waypoint), !.
+delta(36, communicate_soil_data(_, _, _, _, _), -0.04569563180803095) :- !.
+delta(36, communicate_rock_data(_, _, Waypoint, _, _), 0.012957839853760759) :- todo_communicated_rock_data(Waypoint), !.
+delta(36, communicate_rock_data(_, _, _, _, _), -0.015955830452758935) :- !.
+delta(36, communicate_image_data(Rover, _, Objective, Is_mode, Waypoint, Waypoint2), 0.0012312351662794956) :- toward_could_sample_soil(Rover, Waypoint, Waypoint2), todo_communicated_rock_data(Waypoint3), could_communicate_image_data_todo_communicated_image_data(Rover, Waypoint3), todo_communicated_image_data(Objective, Is_mode), !.
+delta(36, communicate_image_data(Rover, _, _, _, Waypoint, Waypoint2), -0.00025149073377413894) :- toward_could_sample_soil(Rover, Waypoint, Waypoint2), todo_communicated_rock_data(Waypoint3), could_communicate_image_data_todo_communicated_image_data(Rover, Waypoint3), !.
+delta(36, communicate_image_data(Rover, _, _, _, Waypoint, Waypoint2), -0.11439887820972378) :- toward_could_sample_soil(Rover, Waypoint, Waypoint2), unsettled_visible(Waypoint), !.
+delta(36, communicate_image_data(Rover, _, _, _, Waypoint, Waypoint2), 0.0001763513134228294) :- toward_could_sample_soil(Rover, Waypoint, Waypoint2), !.
+delta(36, communicate_image_data(_, _, Objective, Is_mode, _, _), -0.00858415500911558) :- communicated_image_data(Objective, Is_mode), !.
+delta(36, communicate_image_data(Rover, _, _, _, Waypoint, Waypoint2), -0.0001584689869056237) :- todo_communicated_rock_data(Waypoint3), nearer_at(Rover, Waypoint3, Waypoint, Waypoint2), !.
+delta(36, communicate_image_data(_, _, _, _, _, _), 0.05192107856554116) :- !.
+delta(36, _, 0.0).
+
+% tree 37: step size 1.0, 236 examples, 46 leaves
+delta(37, navigate(Rover, Waypoint, Waypoint2), -0.0010342571439905625) :- communicated_soil_data(Waypoint), toward_could_sample_soil(Rover, Waypoint2, Waypoint), todo_communicated_rock_data(Waypoint), !.
+delta(37, navigate(Rover, Waypoint, Waypoint2), 0.00206421917816652) :- communicated_soil_data(Waypoint), toward_could_sample_soil(Rover, Waypoint2, Waypoint), !.
+delta(37, navigate(Rover, Waypoint, Waypoint2), 0.000994457887575571) :- communicated_soil_data(Waypoint), could_sample_rock(Rover, Waypoint2), !.
+delta(37, navigate(_, Waypoint, _), -0.07800690433462326) :- communicated_soil_data(Waypoint), !.
+delta(37, navigate(Rover, Waypoint, Waypoint2), 0.006331686706039975) :- todo_communicated_soil_data(Waypoint3), nearer_at(Rover, Waypoint2, Waypoint, Waypoint3), todo_communicated_soil_data(Waypoint4), toward_could_communicate_soil_data_todo_communicated_soil_data(Rover, Waypoint4, Waypoint2), !.
+delta(37, navigate(Rover, Waypoint, Waypoint2), -0.07959598336282594) :- todo_communicated_soil_data(Waypoint3), nearer_at(Rover, Waypoint2, Waypoint, Waypoint3), !.
+delta(37, navigate(Rover, _, Waypoint), -0.05349027637133252) :- todo_communicated_rock_data(Waypoint2), toward_could_sample_soil(Rover, Waypoint2, Waypoint), !.
+delta(37, navigate(_, _, _), 0.26359018728983447) :- !.
+delta(37, sample_soil(Rover, _, Waypoint), 0.005338707418129487) :- equipped_for_imaging(Rover), todo_communicated_rock_data(Waypoint2), toward_could_sample_rock(Rover, Waypoint2, Waypoint), !.
+delta(37, sample_soil(Rover, _, Waypoint), 0.0006925521242101979) :- equipped_for_imaging(Rover), todo_communicated_rock_data(Waypoint2), toward_could_calibrate(Rover, Waypoint2, Waypoint), !.
+delta(37, sample_soil(Rover, _, _), -0.24459959373052753) :- equipped_for_imaging(Rover), !.
+delta(37, sample_soil(_, _, _), 0.030938461465439417) :- !.
+delta(37, sample_rock(Rover, _, _), 0.030230606038124424) :- todo_communicated_rock_data(Waypoint), could_sample_soil(Rover, Waypoint), have_soil_analysis(Rover, Waypoint2), goal_communicated_soil_data(Waypoint2), !.
+delta(37, sample_rock(Rover, _, _), -0.0005864469619851266) :- todo_communicated_rock_data(Waypoint), could_sample_soil(Rover, Waypoint), have_soil_analysis(Rover, _), !.
+delta(37, sample_rock(Rover, _, _), 0.0034182877720133685) :- todo_communicated_rock_data(Waypoint), could_sample_soil(Rover, Waypoint), fewer_have_image_1_than_have_image_3, !.
+delta(37, sample_rock(Rover, _, _), -0.11619614868173184) :- todo_communicated_rock_data(Waypoint), could_sample_soil(Rover, Waypoint), !.
+delta(37, sample_rock(_, _, Waypoint), 0.4712296716601693) :- unsettled_visible(Waypoint), !.
+delta(37, sample_rock(_, _, _), -0.0005220027438532427) :- !.
+delta(37, drop(Rover, _), -0.012848274288260025) :- at_rock_sample(Waypoint), could_communicate_rock_data_todo_communicated_rock_data(Rover, Waypoint), !.
+delta(37, drop(_, _), -0.0009604339505849146) :- at_rock_sample(_), fewer_have_image_1_than_todo_communicated_image_data_2, !.
+delta(37, drop(_, _), 0.12323185039708925) :- at_rock_sample(_), !.
+delta(37, drop(_, _), 8.436025280077828e-5) :- todo_communicated_soil_data(Waypoint), unsettled_visible_todo_communicated_rock_data(Waypoint), !.
+delta(37, drop(_, _), -0.07352926983250266) :- !.
+delta(37, calibrate(Rover, _, Objective, Waypoint), 0.00030972307438517345) :- could_calibrate_through_supports_for_todo_communicated_image_data_2_camera(Rover, Waypoint), fewer_have_image_1_than_todo_communicated_image_data_2_have_image_3, todo_communicated_image_data(Objective, Is_mode), needed_have_image_to_communicate_image_data(Objective, Is_mode), !.
+delta(37, calibrate(Rover, _, _, Waypoint), -0.00311351852296397) :- could_calibrate_through_supports_for_todo_communicated_image_data_2_camera(Rover, Waypoint), fewer_have_image_1_than_todo_communicated_image_data_2_have_image_3, !.
+delta(37, calibrate(Rover, _, _, Waypoint), -0.0005544791505113685) :- could_calibrate_through_supports_for_todo_communicated_image_data_2_camera(Rover, Waypoint), fewer_have_rock_analysis_1_than_have_rock_analysis_2, !.
+delta(37, calibrate(Rover, _, _, Waypoint), 0.03370724177007182) :- could_calibrate_through_supports_for_todo_communicated_image_data_2_camera(Rover, Waypoint), !.
+delta(37, calibrate(_, _, _, _), -0.03313445761416559) :- !.
+delta(37, take_image(_, _, Objective, _, Is_mode), 0.0005848304321613881) :- fewer_have_image_1_than_have_image_2, todo_communicated_image_data(Objective, Is_mode), !.
+delta(37, take_image(_, _, _, _, _), -0.007267955133230147) :- fewer_have_image_1_than_have_image_2, !.
+delta(37, take_image(Rover, _, Objective, Camera, _), -0.017149424037124984) :- todo_communicated_soil_data(Waypoint), could_take_image_through_calibration_target_for_todo_communicated_image_data_1_camera(Rover, Waypoint), calibration_target(Camera, Objective), !.
+delta(37, take_image(Rover, _, _, _, _), 0.017076324661877754) :- todo_communicated_soil_data(Waypoint), could_take_image_through_calibration_target_for_todo_communicated_image_data_1_camera(Rover, Waypoint), !.
+delta(37, take_image(_, _, Objective, Camera, _), 0.03431306942988342) :- calibration_target(Camera, Objective), !.
+delta(37, take_image(_, _, _, _, _), -0.00019320837096324577) :- !.
+delta(37, communicate_soil_data(Rover, _, Waypoint, Waypoint2, _), 0.030633960099495428) :- toward_could_calibrate(Rover, Waypoint2, Waypoint), !.
+delta(37, communicate_soil_data(Rover, _, Waypoint, _, _), 0.011754278415287667) :- todo_communicated_rock_data(Waypoint2), toward_could_communicate_rock_data(Rover, Waypoint, Waypoint2), !.
+delta(37, communicate_soil_data(_, _, Waypoint, _, _), 0.0033386018490080055) :- todo_communicated_soil_data(Waypoint), !.
+delta(37, communicate_soil_data(_, _, _, _, _), -0.1048571541062368) :- !.
+delta(37, communicate_rock_data(Rover, _, Waypoint, _, Waypoint2), -0.0003557687781029375) :- todo_communicated_rock_data(Waypoint3), could_communicate_rock_data(Rover, Waypoint3), toward_could_sample_rock(Rover, Waypoint2, Waypoint), !.
+delta(37, communicate_rock_data(Rover, _, _, _, _), 0.023363146573819504) :- todo_communicated_rock_data(Waypoint), could_communicate_rock_data(Rover, Waypoint), !.
+delta(37, communicate_rock_data(Rover, _, _, _, _), -0.3503825461960169) :- equipped_for_soil_analysis(Rover), at_rock_sample(_), !.
+delta(37, communicate_rock_data(Rover, _, _, _, _), 0.003594663989374504) :- equipped_for_soil_analysis(Rover), !.
+delta(37, communicate_rock_data(_, _, _, _, _), 0.009065729484334196) :- !.
+delta(37, communicate_image_data(_, _, Objective, Is_mode, _, _), 0.009757637030699665) :- todo_communicated_image_data(Objective, Is_mode), !.
+delta(37, communicate_image_data(_, _, _, _, _, _), -0.023543048609386226) :- !.
+delta(37, _, 0.0).
+
+% tree 38: step size 1.0, 213 examples, 44 leaves
+delta(38, navigate(Rover, Waypoint, Waypoint2), 0.0064319884509145405) :- have_rock_analysis(_, Waypoint2), toward_could_communicate_image_data_for_todo_communicated_image_data_any_is_mode(Rover, Waypoint2, Waypoint), could_calibrate(Rover, Waypoint), !.
+delta(38, navigate(Rover, Waypoint, Waypoint2), -0.0002317534202167041) :- have_rock_analysis(_, Waypoint2), toward_could_communicate_image_data_for_todo_communicated_image_data_any_is_mode(Rover, Waypoint2, Waypoint), !.
+delta(38, navigate(Rover, Waypoint, Waypoint2), 0.001973778669732736) :- have_rock_analysis(_, Waypoint2), toward_could_sample_rock(Rover, Waypoint, Waypoint2), !.
+delta(38, navigate(_, _, Waypoint), -0.11762159611822835) :- have_rock_analysis(_, Waypoint), !.
+delta(38, navigate(Rover, _, Waypoint), -0.09983845965175521) :- could_take_image_for_todo_communicated_image_data_any_is_mode(Rover, Waypoint), full(_), !.
+delta(38, navigate(Rover, _, Waypoint), 0.007964737529766659) :- could_take_image_for_todo_communicated_image_data_any_is_mode(Rover, Waypoint), !.
+delta(38, navigate(_, _, _), 0.3033045548687464) :- empty(_), !.
+delta(38, navigate(_, _, _), -0.05343616815669087) :- !.
+delta(38, sample_soil(_, _, Waypoint), 0.00014783307769853464) :- todo_communicated_rock_data(Waypoint), !.
+delta(38, sample_soil(_, _, _), -0.011973207225980631) :- !.
+delta(38, sample_rock(Rover, _, Waypoint), 0.0008869321818636318) :- at_soil_sample(Waypoint), todo_communicated_rock_data(Waypoint2), could_calibrate(Rover, Waypoint2), !.
+delta(38, sample_rock(_, _, Waypoint), -0.0191626424432778) :- at_soil_sample(Waypoint), !.
+delta(38, sample_rock(_, _, _), 0.00325271950752057) :- !.
+delta(38, drop(Rover, _), 0.0015980895117005715) :- calibrated(_, Rover), todo_communicated_rock_data(Waypoint), have_soil_analysis(Rover, Waypoint), !.
+delta(38, drop(Rover, _), -0.0050103240179314446) :- calibrated(_, Rover), !.
+delta(38, drop(Rover, _), -0.0010908717903122336) :- at_rock_sample(Waypoint), todo_communicated_rock_data(Waypoint2), toward_could_calibrate(Rover, Waypoint2, Waypoint), !.
+delta(38, drop(_, _), 0.05501379373705851) :- at_rock_sample(_), !.
+delta(38, drop(_, _), -0.0011962686218982598) :- !.
+delta(38, calibrate(Rover, _, _, Waypoint), -0.0008449451086711319) :- could_communicate_rock_data(Rover, Waypoint), todo_communicated_soil_data(Waypoint2), unsettled_visible_todo_communicated_rock_data(Waypoint2), !.
+delta(38, calibrate(Rover, _, _, Waypoint), 0.014463397524794816) :- could_communicate_rock_data(Rover, Waypoint), !.
+delta(38, calibrate(Rover, Camera, _, Waypoint), 0.00639322777168297) :- todo_communicated_soil_data(Waypoint2), visible(Waypoint, Waypoint2), needed_calibrated_to_take_image_to_communicate_image_data(Camera, Rover), !.
+delta(38, calibrate(_, _, _, Waypoint), -0.00045606810768517877) :- todo_communicated_soil_data(Waypoint2), visible(Waypoint, Waypoint2), !.
+delta(38, calibrate(_, _, _, _), 0.0008835948929117116) :- fewer_have_image_1_than_todo_communicated_image_data_1_have_image_2, !.
+delta(38, calibrate(_, _, _, _), -0.10627728987595694) :- !.
+delta(38, take_image(_, _, Objective, Camera, Is_mode), 9.374520484188772e-6) :- calibration_target(Camera, Objective), needed_have_image_to_communicate_image_data(Objective, Is_mode), todo_communicated_soil_data(Waypoint), at_rock_sample(Waypoint), !.
+delta(38, take_image(_, _, Objective, Camera, Is_mode), 0.0034643180805548836) :- calibration_target(Camera, Objective), needed_have_image_to_communicate_image_data(Objective, Is_mode), !.
+delta(38, take_image(_, _, Objective, Camera, _), -0.033562098839185234) :- calibration_target(Camera, Objective), !.
+delta(38, take_image(Rover, Waypoint, Objective, _, Is_mode), -0.03388098848017588) :- have_image(Rover, Objective, Is_mode), could_take_image_for_todo_communicated_image_data_any_is_mode(Rover, Waypoint), !.
+delta(38, take_image(Rover, _, Objective, _, Is_mode), 0.02079955875796463) :- have_image(Rover, Objective, Is_mode), !.
+delta(38, take_image(_, _, Objective, _, _), 0.06403491461195461) :- goal_communicated_image_data(Objective, _), !.
+delta(38, take_image(_, _, _, _, _), -0.0005013063160353122) :- !.
+delta(38, communicate_soil_data(_, _, Waypoint, _, _), 0.0007606022542812949) :- todo_communicated_soil_data(Waypoint), !.
+delta(38, communicate_soil_data(_, _, _, _, _), -0.03154190052313612) :- !.
+delta(38, communicate_rock_data(_, _, Waypoint, _, _), 0.011665610308628867) :- todo_communicated_rock_data(Waypoint), !.
+delta(38, communicate_rock_data(_, _, _, _, _), -0.03221910230275546) :- !.
+delta(38, communicate_image_data(Rover, _, Objective, _, _, Waypoint), 0.00013159178078740616) :- communicated_image_data(Objective, _), at_rock_sample(Waypoint2), toward_could_sample_soil(Rover, Waypoint, Waypoint2), !.
+delta(38, communicate_image_data(_, _, Objective, _, _, _), -0.11531780968105673) :- communicated_image_data(Objective, _), at_rock_sample(_), !.
+delta(38, communicate_image_data(_, _, Objective, Is_mode, _, _), 0.005020999897836372) :- communicated_image_data(Objective, _), todo_communicated_image_data(Objective, Is_mode), !.
+delta(38, communicate_image_data(_, _, Objective, _, _, _), -0.001470680550121765) :- communicated_image_data(Objective, _), !.
+delta(38, communicate_image_data(Rover, _, Objective, Is_mode, _, Waypoint), 0.00016672309474440703) :- have_soil_analysis(Rover, Waypoint), todo_communicated_image_data(Objective, Is_mode), !.
+delta(38, communicate_image_data(Rover, _, _, _, _, Waypoint), -0.0005645304716492715) :- have_soil_analysis(Rover, Waypoint), !.
+delta(38, communicate_image_data(Rover, _, _, _, _, _), -0.00016770294708485945) :- todo_communicated_rock_data(Waypoint), have_rock_analysis(Rover, Waypoint), !.
+delta(38, communicate_image_data(_, _, _, _, _, _), 0.1027139177625571) :- !.
+delta(38, _, 0.0).
+
+% tree 39: step size 1.0, 209 examples, 45 leaves
+delta(39, navigate(Rover, _, Waypoint), -0.19923738605858865) :- at(_, Waypoint), todo_communicated_rock_data(Waypoint2), could_calibrate(Rover, Waypoint2), !.
+delta(39, navigate(_, _, Waypoint), -0.006611925893868298) :- at(Rover, Waypoint), equipped_for_imaging(Rover), !.
+delta(39, navigate(_, _, Waypoint), 0.018715902239820777) :- at(_, Waypoint), !.
+delta(39, navigate(_, Waypoint, _), 0.021257751659693506) :- at_soil_sample(Waypoint), goal_communicated_rock_data(Waypoint), !.
+delta(39, navigate(_, Waypoint, _), -0.14517558013172704) :- at_soil_sample(Waypoint), !.
+delta(39, navigate(Rover, Waypoint, _), -0.03500767347393312) :- could_calibrate(Rover, Waypoint), !.
+delta(39, navigate(_, _, _), 0.2594722722752215) :- !.
+delta(39, sample_soil(Rover, _, _), 0.0017734976952199074) :- have_rock_analysis(Rover, Waypoint), todo_communicated_soil_data(Waypoint2), toward_could_sample_soil_needed_have_soil_analysis_to_communicate_soil_data(Rover, Waypoint, Waypoint2), !.
+delta(39, sample_soil(Rover, _, _), -0.06979892837395477) :- have_rock_analysis(Rover, _), !.
+delta(39, sample_soil(_, _, Waypoint), 0.03453060963955619) :- todo_communicated_soil_data(Waypoint), !.
+delta(39, sample_soil(_, _, _), -0.0020856526341174273) :- !.
+delta(39, sample_rock(Rover, _, _), -0.0002521822904277523) :- equipped_for_soil_analysis(Rover), fewer_at_1_than_have_image_2, !.
+delta(39, sample_rock(Rover, _, _), 0.10491446108736596) :- equipped_for_soil_analysis(Rover), !.
+delta(39, sample_rock(_, _, _), -0.037104185753974527) :- !.
+delta(39, drop(_, _), -0.041823364963786545) :- todo_communicated_rock_data(Waypoint), goal_communicated_soil_data(Waypoint), !.
+delta(39, drop(Rover, _), 0.012911058220673855) :- todo_communicated_rock_data(Waypoint), at_soil_sample(Waypoint), have_soil_analysis(Rover, _), !.
+delta(39, drop(_, _), -0.024940355967350097) :- todo_communicated_rock_data(Waypoint), at_soil_sample(Waypoint), !.
+delta(39, drop(_, _), -0.009982314168937996) :- fewer_have_soil_analysis_1_than_have_soil_analysis_2, !.
+delta(39, drop(_, _), 0.09563427512613343) :- !.
+delta(39, calibrate(Rover, Camera, Objective, _), -5.1519676304488987e-5) :- have_image(Rover, Objective, Is_mode), todo_communicated_image_data(Objective2, Is_mode), needed_have_image_to_communicate_image_data(Objective2, Is_mode), calibrated(Camera, Rover), !.
+delta(39, calibrate(Rover, _, Objective, _), 0.003293403071231511) :- have_image(Rover, Objective, Is_mode), todo_communicated_image_data(Objective2, Is_mode), needed_have_image_to_communicate_image_data(Objective2, Is_mode), !.
+delta(39, calibrate(Rover, _, Objective, _), 0.0031288836641385482) :- have_image(Rover, Objective, _), todo_communicated_image_data(Objective, Is_mode), needed_have_image_to_communicate_image_data(Objective, Is_mode), !.
+delta(39, calibrate(Rover, _, Objective, _), -0.08185967826729039) :- have_image(Rover, Objective, _), !.
+delta(39, calibrate(_, _, Objective, _), -0.023286189150133696) :- todo_communicated_image_data(Objective, _), todo_communicated_rock_data(Waypoint), at_soil_sample(Waypoint), !.
+delta(39, calibrate(_, _, Objective, _), 0.007242914511065602) :- todo_communicated_image_data(Objective, _), !.
+delta(39, calibrate(_, _, _, Waypoint), -0.003117592573383162) :- needed_have_rock_analysis_to_communicate_rock_data(Waypoint), !.
+delta(39, calibrate(_, _, _, _), 0.1854744607018166) :- !.
+delta(39, take_image(Rover, _, Objective, _, Is_mode), -0.00038327252741574594) :- todo_communicated_image_data(Objective2, Is_mode), communicated_image_data(Objective2, _), have_image(Rover, Objective, Is_mode), !.
+delta(39, take_image(_, _, _, _, Is_mode), 0.0008747906293010211) :- todo_communicated_image_data(Objective, Is_mode), communicated_image_data(Objective, _), !.
+delta(39, take_image(_, _, Objective, _, _), 0.00033368547547436004) :- todo_communicated_image_data(Objective, Is_mode), communicated_image_data(_, Is_mode), !.
+delta(39, take_image(Rover, Waypoint, _, _, _), 0.0002936792170514462) :- could_sample_soil(Rover, Waypoint), !.
+delta(39, take_image(_, _, _, _, _), -0.07188715131902398) :- !.
+delta(39, communicate_soil_data(_, _, Waypoint, _, _), -0.022253246784067548) :- communicated_soil_data(Waypoint), !.
+delta(39, communicate_soil_data(_, _, Waypoint, _, _), -0.0005599011335324293) :- todo_communicated_soil_data(Waypoint2), visible(Waypoint, Waypoint2), !.
+delta(39, communicate_soil_data(Rover, _, _, Waypoint, _), -0.00023675396351970903) :- could_take_image_needed_have_image_to_communicate_image_data(Rover, Waypoint), !.
+delta(39, communicate_soil_data(_, _, _, _, _), 0.037617402591683134) :- !.
+delta(39, communicate_rock_data(_, _, Waypoint, _, _), 0.025681753539814722) :- fewer_have_image_1_than_have_image_3, todo_communicated_rock_data(Waypoint), !.
+delta(39, communicate_rock_data(_, _, _, _, _), -9.671499890424813e-5) :- fewer_have_image_1_than_have_image_3, !.
+delta(39, communicate_rock_data(_, Lander, Waypoint, _, _), 0.0174232717657709) :- at_lander(Lander, Waypoint), todo_communicated_rock_data(Waypoint), !.
+delta(39, communicate_rock_data(_, Lander, Waypoint, _, _), -0.00029843376826125276) :- at_lander(Lander, Waypoint), !.
+delta(39, communicate_rock_data(Rover, _, _, _, _), 0.00013035827288815938) :- todo_communicated_rock_data(Waypoint), could_take_image(Rover, Waypoint), !.
+delta(39, communicate_rock_data(_, _, _, _, _), -0.08676100487347739) :- !.
+delta(39, communicate_image_data(_, _, Objective, Is_mode, _, _), 0.004010498132458268) :- todo_communicated_image_data(Objective, Is_mode), !.
+delta(39, communicate_image_data(_, _, _, _, _, _), -0.0074245072257707) :- !.
+delta(39, _, 0.0).

@@ -94,66 +94,66 @@ needed_have_soil_analysis_to_communicate_soil_data(Waypoint) :-
     todo_communicated_soil_data(Waypoint),
     \+ have_soil_analysis(_Rover, Waypoint).
 needed_at_to_communicate_soil_data(Waypoint) :-
-    visible(Waypoint, Waypoint2),
-    at_lander(_Lander, Waypoint2),
-    todo_communicated_soil_data(_Waypoint3),
-    \+ ( at(_Rover, Waypoint4), visible(Waypoint4, Waypoint5), at_lander(_Lander2, Waypoint5) ).
+    once(todo_communicated_soil_data(_Waypoint2)),
+    \+ ( at(_Rover, Waypoint3), visible(Waypoint3, Waypoint4), at_lander(_Lander, Waypoint4) ),
+    visible(Waypoint, Waypoint5),
+    once(at_lander(_Lander2, Waypoint5)).
 needed_have_rock_analysis_to_communicate_rock_data(Waypoint) :-
     todo_communicated_rock_data(Waypoint),
     \+ have_rock_analysis(_Rover, Waypoint).
 needed_at_to_communicate_rock_data(Waypoint) :-
-    visible(Waypoint, Waypoint2),
-    at_lander(_Lander, Waypoint2),
-    todo_communicated_rock_data(_Waypoint3),
-    \+ ( at(_Rover, Waypoint4), visible(Waypoint4, Waypoint5), at_lander(_Lander2, Waypoint5) ).
+    once(todo_communicated_rock_data(_Waypoint2)),
+    \+ ( at(_Rover, Waypoint3), visible(Waypoint3, Waypoint4), at_lander(_Lander, Waypoint4) ),
+    visible(Waypoint, Waypoint5),
+    once(at_lander(_Lander2, Waypoint5)).
 needed_have_image_to_communicate_image_data(Objective, Is_mode) :-
     todo_communicated_image_data(Objective, Is_mode),
     \+ have_image(_Rover, Objective, Is_mode).
 needed_at_to_communicate_image_data(Waypoint) :-
-    visible(Waypoint, Waypoint2),
-    at_lander(_Lander, Waypoint2),
-    todo_communicated_image_data(_Objective, _Is_mode),
-    \+ ( at(_Rover, Waypoint3), visible(Waypoint3, Waypoint4), at_lander(_Lander2, Waypoint4) ).
+    once(todo_communicated_image_data(_Objective, _Is_mode)),
+    \+ ( at(_Rover, Waypoint2), visible(Waypoint2, Waypoint3), at_lander(_Lander, Waypoint3) ),
+    visible(Waypoint, Waypoint4),
+    once(at_lander(_Lander2, Waypoint4)).
 needed_at_to_sample_soil_to_communicate_soil_data(Rover, Waypoint) :-
     needed_have_soil_analysis_to_communicate_soil_data(Waypoint),
+    \+ ( at(Rover2, Waypoint), equipped_for_soil_analysis(Rover2), store_of(_Store, Rover2) ),
     equipped_for_soil_analysis(Rover),
-    store_of(_Store, Rover),
-    \+ ( at(Rover2, Waypoint), equipped_for_soil_analysis(Rover2), store_of(_Store2, Rover2) ).
+    once(store_of(_Store2, Rover)).
 needed_empty_to_sample_soil_to_communicate_soil_data(Store) :-
-    store_of(Store, Rover),
-    equipped_for_soil_analysis(Rover),
-    needed_have_soil_analysis_to_communicate_soil_data(_Waypoint),
-    \+ ( empty(Store2), store_of(Store2, Rover2), equipped_for_soil_analysis(Rover2) ).
+    once(needed_have_soil_analysis_to_communicate_soil_data(_Waypoint)),
+    \+ ( empty(Store2), store_of(Store2, Rover), equipped_for_soil_analysis(Rover) ),
+    store_of(Store, Rover2),
+    equipped_for_soil_analysis(Rover2).
 needed_at_to_sample_rock_to_communicate_rock_data(Rover, Waypoint) :-
     needed_have_rock_analysis_to_communicate_rock_data(Waypoint),
+    \+ ( at(Rover2, Waypoint), equipped_for_rock_analysis(Rover2), store_of(_Store, Rover2) ),
     equipped_for_rock_analysis(Rover),
-    store_of(_Store, Rover),
-    \+ ( at(Rover2, Waypoint), equipped_for_rock_analysis(Rover2), store_of(_Store2, Rover2) ).
+    once(store_of(_Store2, Rover)).
 needed_empty_to_sample_rock_to_communicate_rock_data(Store) :-
-    store_of(Store, Rover),
-    equipped_for_rock_analysis(Rover),
-    needed_have_rock_analysis_to_communicate_rock_data(_Waypoint),
-    \+ ( empty(Store2), store_of(Store2, Rover2), equipped_for_rock_analysis(Rover2) ).
+    once(needed_have_rock_analysis_to_communicate_rock_data(_Waypoint)),
+    \+ ( empty(Store2), store_of(Store2, Rover), equipped_for_rock_analysis(Rover) ),
+    store_of(Store, Rover2),
+    equipped_for_rock_analysis(Rover2).
 needed_calibrated_to_take_image_to_communicate_image_data(Camera, Rover) :-
     on_board(Camera, Rover),
     equipped_for_imaging(Rover),
-    supports(Camera, Is_mode),
-    needed_have_image_to_communicate_image_data(_Objective, Is_mode),
-    \+ ( supports(Camera2, Is_mode),
-         calibrated(Camera2, Rover2),
-         on_board(Camera2, Rover2),
-         equipped_for_imaging(Rover2) ).
+    once(( supports(Camera, Is_mode),
+           once(needed_have_image_to_communicate_image_data(_Objective, Is_mode)),
+           \+ ( supports(Camera2, Is_mode),
+                calibrated(Camera2, Rover2),
+                on_board(Camera2, Rover2),
+                equipped_for_imaging(Rover2) ) )).
 needed_at_to_take_image_to_communicate_image_data(Rover, Waypoint) :-
     equipped_for_imaging(Rover),
     on_board(Camera, Rover),
     visible_from(Objective, Waypoint),
-    needed_have_image_to_communicate_image_data(Objective, Is_mode),
-    supports(Camera, Is_mode),
-    \+ ( visible_from(Objective, Waypoint2),
-         at(Rover2, Waypoint2),
-         equipped_for_imaging(Rover2),
-         on_board(Camera2, Rover2),
-         supports(Camera2, Is_mode) ).
+    once(( needed_have_image_to_communicate_image_data(Objective, Is_mode),
+           supports(Camera, Is_mode),
+           \+ ( visible_from(Objective, Waypoint2),
+                at(Rover2, Waypoint2),
+                equipped_for_imaging(Rover2),
+                on_board(Camera2, Rover2),
+                supports(Camera2, Is_mode) ) )).
 step_at(Rover, Waypoint, Waypoint2) :- can_traverse(Rover, Waypoint, Waypoint2), visible(Waypoint, Waypoint2).
 :- table far_at(_, _, _, min).
 far_at(_Rover, Z, Z, 0).
@@ -163,9 +163,7 @@ steps_at(Rover, X, Z, D) :- far_at(Rover, Z, Y, D), Y == X.
 nearer_at(Rover, X, Y, Z) :- step_at(Rover, X, Y), steps_at(Rover, Y, Z, D), steps_at(Rover, X, Z, D0), D < D0.
 could_sample_soil(Rover, Waypoint) :-
     equipped_for_soil_analysis(Rover),
-    store_of(Store, Rover),
-    \+ full(Store),
-    empty(Store),
+    once(( store_of(Store, Rover), \+ full(Store), empty(Store) )),
     at_soil_sample(Waypoint).
 :- table places_could_sample_soil/2.
 places_could_sample_soil(Rover, Places) :- findall(Z, could_sample_soil(Rover, Z), Found), sort(Found, Places).
@@ -182,8 +180,7 @@ toward_could_sample_soil(Rover, X, Y) :-
     D0 < D.
 could_sample_soil_needed_have_soil_analysis_to_communicate_soil_data(Rover, Waypoint) :-
     equipped_for_soil_analysis(Rover),
-    store_of(Store, Rover),
-    empty(Store),
+    once(( store_of(Store, Rover), empty(Store) )),
     needed_have_soil_analysis_to_communicate_soil_data(Waypoint),
     at_soil_sample(Waypoint).
 :- table places_could_sample_soil_needed_have_soil_analysis_to_communicate_soil_data/2.
@@ -205,9 +202,7 @@ toward_could_sample_soil_needed_have_soil_analysis_to_communicate_soil_data(Rove
     D0 < D.
 could_sample_rock(Rover, Waypoint) :-
     equipped_for_rock_analysis(Rover),
-    store_of(Store, Rover),
-    \+ full(Store),
-    empty(Store),
+    once(( store_of(Store, Rover), \+ full(Store), empty(Store) )),
     at_rock_sample(Waypoint).
 :- table places_could_sample_rock/2.
 places_could_sample_rock(Rover, Places) :- findall(Z, could_sample_rock(Rover, Z), Found), sort(Found, Places).
@@ -224,8 +219,7 @@ toward_could_sample_rock(Rover, X, Y) :-
     D0 < D.
 could_sample_rock_needed_have_rock_analysis_to_communicate_rock_data(Rover, Waypoint) :-
     equipped_for_rock_analysis(Rover),
-    store_of(Store, Rover),
-    empty(Store),
+    once(( store_of(Store, Rover), empty(Store) )),
     needed_have_rock_analysis_to_communicate_rock_data(Waypoint),
     at_rock_sample(Waypoint).
 :- table places_could_sample_rock_needed_have_rock_analysis_to_communicate_rock_data/2.
@@ -292,7 +286,7 @@ could_calibrate_for_todo_communicated_image_data_objective_any(Rover, Waypoint) 
     on_board(Camera, Rover),
     \+ calibrated(Camera, Rover),
     calibration_target(Camera, Objective),
-    todo_communicated_image_data(Objective, _Is_mode),
+    once(todo_communicated_image_data(Objective, _Is_mode)),
     visible_from(Objective, Waypoint).
 :- table places_could_calibrate_for_todo_communicated_image_data_objective_any/2.
 places_could_calibrate_for_todo_communicated_image_data_objective_any(Rover, Places) :-
@@ -314,8 +308,7 @@ could_calibrate_through_supports_for_todo_communicated_image_data_2_camera(Rover
     equipped_for_imaging(Rover),
     on_board(Camera, Rover),
     \+ calibrated(Camera, Rover),
-    supports(Camera, Is_mode),
-    todo_communicated_image_data(_Objective, Is_mode),
+    once(( supports(Camera, Is_mode), once(todo_communicated_image_data(_Objective, Is_mode)) )),
     calibration_target(Camera, Objective2),
     visible_from(Objective2, Waypoint).
 :- table places_could_calibrate_through_supports_for_todo_communicated_image_data_2_camera/2.
@@ -341,8 +334,7 @@ could_calibrate_through_visible_from_back_for_todo_communicated_image_data_1_way
     \+ calibrated(Camera, Rover),
     calibration_target(Camera, Objective),
     visible_from(Objective, Waypoint),
-    visible_from(Objective2, Waypoint),
-    todo_communicated_image_data(Objective2, _Is_mode).
+    once(( visible_from(Objective2, Waypoint), once(todo_communicated_image_data(Objective2, _Is_mode)) )).
 :- table places_could_calibrate_through_visible_from_back_for_todo_communicated_image_data_1_waypoint/2.
 places_could_calibrate_through_visible_from_back_for_todo_communicated_image_data_1_waypoint(Rover, Places) :-
     findall(Z, could_calibrate_through_visible_from_back_for_todo_communicated_image_data_1_waypoint(Rover, Z), Found),
@@ -409,7 +401,7 @@ could_take_image_for_todo_communicated_image_data_any_is_mode(Rover, Waypoint) :
     calibrated(Camera, Rover),
     on_board(Camera, Rover),
     supports(Camera, Is_mode),
-    todo_communicated_image_data(_Objective, Is_mode),
+    once(todo_communicated_image_data(_Objective, Is_mode)),
     visible_from(Objective2, Waypoint),
     \+ have_image(Rover, Objective2, Is_mode).
 :- table places_could_take_image_for_todo_communicated_image_data_any_is_mode/2.
@@ -456,8 +448,7 @@ could_take_image_through_supports_for_todo_communicated_image_data_2_camera(Rove
     equipped_for_imaging(Rover),
     calibrated(Camera, Rover),
     on_board(Camera, Rover),
-    supports(Camera, Is_mode),
-    todo_communicated_image_data(_Objective, Is_mode),
+    once(( supports(Camera, Is_mode), once(todo_communicated_image_data(_Objective, Is_mode)) )),
     supports(Camera, Is_mode2),
     visible_from(Objective2, Waypoint),
     \+ have_image(Rover, Objective2, Is_mode2).
@@ -484,9 +475,8 @@ could_take_image_through_visible_from_back_for_todo_communicated_image_data_1_wa
     on_board(Camera, Rover),
     supports(Camera, Is_mode),
     visible_from(Objective, Waypoint),
-    todo_communicated_image_data(Objective, _Is_mode2),
-    visible_from(Objective2, Waypoint),
-    \+ have_image(Rover, Objective2, Is_mode).
+    once(todo_communicated_image_data(Objective, _Is_mode2)),
+    once(( visible_from(Objective2, Waypoint), \+ have_image(Rover, Objective2, Is_mode) )).
 :- table places_could_take_image_through_visible_from_back_for_todo_communicated_image_data_1_waypoint/2.
 places_could_take_image_through_visible_from_back_for_todo_communicated_image_data_1_waypoint(Rover, Places) :-
     findall(Z, could_take_image_through_visible_from_back_for_todo_communicated_image_data_1_waypoint(Rover, Z), Found),
@@ -509,8 +499,7 @@ could_take_image_through_calibration_target_for_todo_communicated_image_data_1_c
     equipped_for_imaging(Rover),
     calibrated(Camera, Rover),
     on_board(Camera, Rover),
-    calibration_target(Camera, Objective),
-    todo_communicated_image_data(Objective, _Is_mode),
+    once(( calibration_target(Camera, Objective), once(todo_communicated_image_data(Objective, _Is_mode)) )),
     supports(Camera, Is_mode2),
     visible_from(Objective2, Waypoint),
     \+ have_image(Rover, Objective2, Is_mode2).
@@ -578,8 +567,7 @@ could_communicate_soil_data_for_todo_communicated_soil_data_waypoint(Rover, Wayp
     have_soil_analysis(Rover, Waypoint2),
     \+ communicated_soil_data(Waypoint2),
     todo_communicated_soil_data(Waypoint),
-    visible(Waypoint, Waypoint3),
-    at_lander(_Lander, Waypoint3).
+    once(( visible(Waypoint, Waypoint3), once(at_lander(_Lander, Waypoint3)) )).
 :- table places_could_communicate_soil_data_for_todo_communicated_soil_data_waypoint/2.
 places_could_communicate_soil_data_for_todo_communicated_soil_data_waypoint(Rover, Places) :-
     findall(Z, could_communicate_soil_data_for_todo_communicated_soil_data_waypoint(Rover, Z), Found),
@@ -601,7 +589,7 @@ could_communicate_soil_data_for_todo_communicated_soil_data_waypoint_2(Rover, Wa
     have_soil_analysis(Rover, Waypoint2),
     \+ communicated_soil_data(Waypoint2),
     todo_communicated_soil_data(Waypoint3),
-    at_lander(_Lander, Waypoint3),
+    once(at_lander(_Lander, Waypoint3)),
     visible(Waypoint, Waypoint3).
 :- table places_could_communicate_soil_data_for_todo_communicated_soil_data_waypoint_2/2.
 places_could_communicate_soil_data_for_todo_communicated_soil_data_waypoint_2(Rover, Places) :-
@@ -666,8 +654,7 @@ could_communicate_rock_data_for_todo_communicated_rock_data_waypoint(Rover, Wayp
     have_rock_analysis(Rover, Waypoint2),
     \+ communicated_rock_data(Waypoint2),
     todo_communicated_rock_data(Waypoint),
-    visible(Waypoint, Waypoint3),
-    at_lander(_Lander, Waypoint3).
+    once(( visible(Waypoint, Waypoint3), once(at_lander(_Lander, Waypoint3)) )).
 :- table places_could_communicate_rock_data_for_todo_communicated_rock_data_waypoint/2.
 places_could_communicate_rock_data_for_todo_communicated_rock_data_waypoint(Rover, Places) :-
     findall(Z, could_communicate_rock_data_for_todo_communicated_rock_data_waypoint(Rover, Z), Found),
@@ -689,7 +676,7 @@ could_communicate_rock_data_for_todo_communicated_rock_data_waypoint_2(Rover, Wa
     have_rock_analysis(Rover, Waypoint2),
     \+ communicated_rock_data(Waypoint2),
     todo_communicated_rock_data(Waypoint3),
-    at_lander(_Lander, Waypoint3),
+    once(at_lander(_Lander, Waypoint3)),
     visible(Waypoint, Waypoint3).
 :- table places_could_communicate_rock_data_for_todo_communicated_rock_data_waypoint_2/2.
 places_could_communicate_rock_data_for_todo_communicated_rock_data_waypoint_2(Rover, Places) :-
@@ -753,7 +740,7 @@ toward_could_communicate_image_data_todo_communicated_image_data(Rover, X, Y) :-
 could_communicate_image_data_for_todo_communicated_image_data_any_is_mode(Rover, Waypoint) :-
     have_image(Rover, Objective, Is_mode),
     \+ communicated_image_data(Objective, Is_mode),
-    todo_communicated_image_data(_Objective2, Is_mode),
+    once(todo_communicated_image_data(_Objective2, Is_mode)),
     at_lander(_Lander, Waypoint2),
     visible(Waypoint, Waypoint2).
 :- table places_could_communicate_image_data_for_todo_communicated_image_data_any_is_mode/2.
@@ -776,7 +763,7 @@ toward_could_communicate_image_data_for_todo_communicated_image_data_any_is_mode
 could_communicate_image_data_for_todo_communicated_image_data_objective_any(Rover, Waypoint) :-
     have_image(Rover, Objective, Is_mode),
     \+ communicated_image_data(Objective, Is_mode),
-    todo_communicated_image_data(Objective, _Is_mode2),
+    once(todo_communicated_image_data(Objective, _Is_mode2)),
     at_lander(_Lander, Waypoint2),
     visible(Waypoint, Waypoint2).
 :- table places_could_communicate_image_data_for_todo_communicated_image_data_objective_any/2.
@@ -800,9 +787,8 @@ could_communicate_image_data_through_visible_from_back_for_todo_communicated_ima
     have_image(Rover, Objective, Is_mode),
     \+ communicated_image_data(Objective, Is_mode),
     visible_from(Objective2, Waypoint),
-    todo_communicated_image_data(Objective2, _Is_mode2),
-    visible(Waypoint, Waypoint2),
-    at_lander(_Lander, Waypoint2).
+    once(todo_communicated_image_data(Objective2, _Is_mode2)),
+    once(( visible(Waypoint, Waypoint2), once(at_lander(_Lander, Waypoint2)) )).
 :- table places_could_communicate_image_data_through_visible_from_back_for_todo_communicated_image_data_1_waypoint/2.
 places_could_communicate_image_data_through_visible_from_back_for_todo_communicated_image_data_1_waypoint(Rover,
        Places) :-

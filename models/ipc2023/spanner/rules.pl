@@ -1,4 +1,4 @@
-% SHA-256 of what follows: bd0318df96cd6648029e8ecf1036be0cd65a13cdc1299c45d0412dc918aa87a5
+% SHA-256 of what follows: 836603401e9d42b9a17306eb1ed241aff017b7cc4931342e320ebcb41623f066
 % A policy learned by nppg: the potential of an action is the sum of its delta/3, one per tree.
 % In plain Prolog, in the folder of this file and its domain:  swipl model.pl
 %     ?- state([...]), best_action(Action).
@@ -13,7 +13,7 @@ model(format, 1).
 model(nppg, '0.1.0').
 model(prolog, '9.2.9').
 model(domain, 'spanner.pl').
-model(domain_sha256, dc3e79446c0abd8857a8e0b3341401e248ef8b4c99181b893744fd5349e7a669).
+model(domain_sha256, '8230f60f960876d2b45a4926c3ab638c6f9dc4dd4f2859eeb8d76d3cc03af8a8').
 model(action, walk(location, location, man)).
 model(action, pickup_spanner(location, spanner, man)).
 model(action, tighten_nut(location, spanner, man, nut)).
@@ -44,7 +44,7 @@ model(literal, fewer_carrying_2_usable_than_todo_tightened).
 model(literal, fewer_carrying_2_usable_than_at_1).
 model(literal, fewer_carrying_1_than_todo_tightened).
 model(bias, 'spanner.yaml').
-model(bias_sha256, '23242c37ba36ae5fd7b82f9013e554d8f5125fefa73a352d647330e479946578').
+model(bias_sha256, '4207ea2a831ef2cabab3e19f1bd96bc1c01e504480c1c8612173c11ec6f02b85').
 model(success, 1.0).
 model(starts, 89).
 model(exact, 0).

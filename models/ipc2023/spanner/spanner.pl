@@ -40,7 +40,7 @@ far_at(Z, X, D) :- far_at(Z, Y, D0), step_at(X, Y), D is D0+1.
 :- table steps_at/3.
 steps_at(X, Z, D) :- far_at(Z, Y, D), Y == X.
 nearer_at(X, Y, Z) :- step_at(X, Y), steps_at(Y, Z, D), steps_at(X, Z, D0), D < D0.
-could_pickup_spanner(Man, Location) :- man(Man), at(Spanner, Location), spanner(Spanner), \+ carrying(Man, Spanner).
+could_pickup_spanner(Man, Location) :- man(Man), spanner(Spanner), \+ carrying(Man, Spanner), at(Spanner, Location).
 :- table places_could_pickup_spanner/2.
 places_could_pickup_spanner(Man, Places) :- findall(Z, could_pickup_spanner(Man, Z), Found), sort(Found, Places).
 distance_could_pickup_spanner(Man, X, D) :-
@@ -58,8 +58,8 @@ could_tighten_nut(Man, Location) :-
     carrying(Man, Spanner),
     usable(Spanner),
     loose(Nut),
-    at(Nut, Location),
-    \+ tightened(Nut).
+    \+ tightened(Nut),
+    at(Nut, Location).
 :- table places_could_tighten_nut/2.
 places_could_tighten_nut(Man, Places) :- findall(Z, could_tighten_nut(Man, Z), Found), sort(Found, Places).
 distance_could_tighten_nut(Man, X, D) :- places_could_tighten_nut(Man, Places), member(Z, Places), steps_at(X, Z, D).
