@@ -66,7 +66,7 @@ def test_rules_for_each_kind_of_action_hold_where_balls_are_many() -> None:
     domain, bias = world("gripper")
     policy = learned(domain, bias, 300)
     large, _ = world("gripper", balls=15)
-    few, report = distilled(policy, bias, judged=large)
+    few, report = distilled(policy, bias, judged=large, seconds=600.0)
     assert evaluate(few, 40, greedy=True).success == 1.0 and few.domain is large
     assert len(few.rules(1)) <= 8
     assert report.startswith("tried on 60 start states, up to start") and "(horizon 92): solved 60" in report

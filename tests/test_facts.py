@@ -190,7 +190,7 @@ def several(tmp_path_factory: pytest.TempPathFactory) -> LanguageBias:
     return LanguageBias.load(path)
 
 
-@pytest.mark.parametrize("value", [float("nan"), "e", ("f", 1)])
+@pytest.mark.parametrize("value", ["e", ("f", 1)])
 def test_no_number(meadow: Domain, several: LanguageBias, value) -> None:
     table = root_table(meadow, several, Refiner(several))
     place = r"^\S*bias.yaml:[0-9]+:[0-9]+: \+\w+ [=<>]+ # compares what is no number: "

@@ -37,7 +37,7 @@ NO_NUMBERS: list[Any] = [
 ]  # fmt: skip
 NO_FACTS: list[Any] = [
     ("foo", 1), ("at", 1, 2), "at", ("near", 1), ("length", 1), "true", ("action", "go"), 5, (1, 2), (("at",), 1), (),
-    ("at", np.nan), ("at", np.float32("inf")), ("at", ("f", np.nan)), ("at", None), ("at", True),
+    ("at", np.nan), ("at", np.float32("nan")), ("at", ("f", np.nan)), ("at", None), ("at", True),
 ]  # fmt: skip
 NO_STATES: list[Any] = [None, 5, "at(1)", b"at(1)", {"at": 1}, np.float64(1)]
 NO_ACTIONS: list[Any] = ["jump", ("go", 1), "stay", ("stay", np.nan), None, np.nan, 5, ()]

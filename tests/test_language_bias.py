@@ -183,7 +183,7 @@ CUT = "but the literal ends here: YAML ends a text at ' #', unless it is in quot
         ("types:\n\ton: [x]\n", ["2:1: a tab: YAML is indented by spaces"]),
         (MINIMAL + "---\na: b\n", ["4:1: a second YAML document begins here; a language bias is one"]),
         ("a: b\x07\n", ["1:5: the character '\\x07' has no place in YAML"]),
-        ("[" * 5000, ["nested too deeply"]),
+        ("[" * 5000, ["1: nested too deeply"]),
         ('a: "\\Uffffffff"\n', ["not YAML: Python int too large to convert to C int"]),
         (
             "goal: g(-x)\n",

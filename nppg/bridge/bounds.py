@@ -64,13 +64,12 @@ def bounded(source: bytes, file: str, most: int = BYTES) -> bool:
     return _has_dictionaries(text)
 
 
-def checked(text: str, what: str) -> str:
-    """A text that is to be read as a term. Raises NppgError where it is out of bounds."""
+def checked(text: str, what: str) -> None:
+    """Raises NppgError where a text that is to be read as a term is out of bounds."""
     try:
         _scan(text)
     except _Beyond as beyond:
         raise NppgError(f"{what}: {beyond.message}") from None
-    return text
 
 
 def included(path: str, folder: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import chain
-from math import isfinite
+from math import isnan
 from typing import Any
 
 from nppg.bridge.plain import alone
@@ -50,7 +50,7 @@ def _is_plain(term: Ground) -> bool:
     while unread:
         each = unread.pop()
         if type(each) is float:
-            if not isfinite(each):
+            if isnan(each):
                 return False
         elif type(each) not in _ATOMS:
             if not isinstance(each, tuple) or not each or not isinstance(each[0], str):
@@ -63,8 +63,8 @@ def _made_plain(term: Any) -> Ground:
     term = alone(term)
     if isinstance(term, tuple | list) and len(term) and isinstance(term[0], str):
         return tuple(map(_made_plain, term))
-    if isinstance(term, float) and not isfinite(term):
-        raise NppgError(f"{term!r} is no finite number")
+    if isinstance(term, float) and isnan(term):
+        raise NppgError(f"{term!r} is no number")
     if isinstance(term, str | int | float | Fraction) and not isinstance(term, bool):
         return term  # type: ignore[return-value]
     raise NppgError(f"{term!r} is no term: that is a name, a number, or a tuple of a name and its arguments")

@@ -39,7 +39,8 @@ def write_copies(folder: Path, copies: Mapping[str, bytes]) -> None:
         if Path(name).is_absolute() or ".." in Path(name).parts:
             raise NppgError([Problem(str(folder), 0, 0, f"{name} is no name of a file in the folder")])
         if _contents(folder / name) != source:
-            made((folder / name).parent)
+            if (within := (folder / name).parent) != folder:
+                made(within)
             replacing(folder / name, partial(Path.write_bytes, data=source))
 
 

@@ -108,7 +108,8 @@ class Domain:
         """The state of these facts, written as Prolog has them: "on(b1, b2), on(b2, floor)". Raises NppgError for what
         is no text of ground facts of declared fluents."""
         known = [f"{name}/{arity}" for name, arity in self.fluents | self.static]
-        static, facts = ask("state_of", self.module, checked(text, "the state").strip().removesuffix("."), known)
+        checked(f"[{text}]", "the state")
+        static, facts = ask("state_of", self.module, text.strip().removesuffix("."), known)
         return Interpretation(ground(facts), static_facts(ground(static)))
 
     def visit(self, state: State) -> None:
