@@ -37,7 +37,6 @@ Every question is one predicate call(Name, Args..., Answer) below, with terms as
 
 %   States come and go, and the clauses of old ones are collected. A second thread that does so makes every
 %   other access to them slower.
-
 :- set_prolog_gc_thread(false).
 
 %!  ask(+Name, +Args, -Answer) is det.
@@ -78,11 +77,9 @@ load(File, Parameters, Trust, [Module, Description]) :-
 dictionaries(Truth, true) :-
     nb_setval(nppg_dicts, Truth).
 
-unload(Module, true) :-
-    unload_domain(Module).
+unload(Module, true) :- unload_domain(Module).
 
-limit(Limit, true) :-
-    set_inference_limit(Limit).
+limit(Limit, true) :- set_inference_limit(Limit).
 
 version(Version) :-
     current_prolog_flag(version_data, swi(Major, Minor, Patch, _)),

@@ -96,8 +96,7 @@ class Domain:
     @property
     def hash(self) -> str:
         """SHA-256 of the file as it was loaded, in hexadecimal; of those that it uses, too, with their names."""
-        used = "".join(f"\n{name} {sha256(data)}" for name, data in sorted(self.used.items()))
-        return sha256(self.source + used.encode())
+        return sha256(self.source + "".join(f"\n{k} {sha256(v)}" for k, v in sorted(self.used.items())).encode())
 
     @property
     def used(self) -> Mapping[str, bytes]:
