@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 
 import pytest
 
@@ -98,3 +99,16 @@ def test_a_model_asks_what_its_language_declares_alone(machines, capsys):
     capsys.readouterr()
     assert main(["tilde", "predict", str(model), str(machines)]) == 2
     assert "holds something else than a model" in capsys.readouterr().err
+
+
+def test_a_folder_with_several_data_sets(machines, tmp_path_factory, capsys):
+    whole = tmp_path_factory.mktemp("sets")
+    for name in ("good", "bad", "other"):
+        shutil.copytree(machines, whole / name)
+    (whole / "bad" / "mach.kb").write_text("machine(m1, fix")
+    assert main(["tilde", "fit", str(whole)]) == 2
+    said = capsys.readouterr()
+    assert said.out.count("accuracy") == 2 and f"{whole / 'other'}:\n" in said.out
+    assert said.err.count("\n") == 1 and said.err.startswith(str(whole / "bad" / "mach.kb"))
+    assert main(["tilde", "fit", str(whole), "--output", str(whole / "model.json")]) == 2
+    assert "--output takes one model" in capsys.readouterr().err

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 import time
 from collections.abc import Sequence
 from dataclasses import replace
@@ -10,12 +11,13 @@ from pathlib import Path
 
 import numpy as np
 
+from nppg.errors import NppgError
 from nppg.tilde import printing
 from nppg.tilde.knowledge import Knowledge
 from nppg.tilde.learning import Learner, cross_validated
 from nppg.tilde.model import Model, Passes
 from nppg.tilde.model_file import read_model, write_model
-from nppg.tilde.reading import read_task
+from nppg.tilde.reading import data_sets, read_task
 from nppg.tilde.retargeting import retargeted
 from nppg.tilde.targets import Targets
 from nppg.tilde.task import HEURISTICS, PRUNING, Task
@@ -65,8 +67,27 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _fit(options: argparse.Namespace) -> int:
+    """Of each data set where a folder has several; what is wrong with one of these does not keep from the others."""
+    sets = data_sets(options.data)
+    if len(sets) > 1 and options.output:
+        raise NppgError(f"--output takes one model: name one of {', '.join(str(path) for path, in sets)}")
+    status = 0
+    for number, data in enumerate(sets):
+        if len(sets) > 1:
+            print(*["\n"] * (number > 0), f"{data[0]}:", sep="")
+        try:
+            _fit_one(options, data)
+        except NppgError as error:
+            if len(sets) == 1:
+                raise
+            print(error, file=sys.stderr)
+            status = 2
+    return status
+
+
+def _fit_one(options: argparse.Namespace, data: Sequence[Path]) -> None:
     begun = time.perf_counter()
-    task = read_task(options.data)
+    task = read_task(data)
     if options.target:
         task = retargeted(task, options.target)
     given = {name: value for name in (*_OPTIONS, "random_state") if (value := getattr(options, name)) is not None}
@@ -90,7 +111,6 @@ def _fit(options: argparse.Namespace) -> int:
         write_model(options.output, model)
         print(f"\nwritten to {options.output}")
     print(f"\nread in {read - begun:.2f} s, learned in {learned - read:.2f} s")
-    return 0
 
 
 def _told(task: Task, targets: Targets) -> str:

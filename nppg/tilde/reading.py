@@ -30,11 +30,25 @@ def read_task(sources: Sequence[str | Path]) -> Task:
     return read_aleph(main, found.get(".f"), found.get(".n"))
 
 
+def data_sets(sources: Sequence[str | Path]) -> list[list[Path]]:
+    """What `read_task` reads one by one: the data sets of a folder that has several, else these sources."""
+    paths = [Path(each) for each in sources]
+    found = _names(paths[0]) if len(paths) == 1 and paths[0].is_dir() else []
+    return [[each] for each in found] if len(found) > 1 else [paths]
+
+
+def _names(folder: Path) -> list[Path]:
+    """By which the data sets of a folder are told from one another."""
+    mains = _mains(folder)
+    crowded = [folder, *(each.parent for each in mains)]
+    return [each.with_suffix("") if crowded.count(each.parent) > 1 else each.parent for each in mains]
+
+
 def _single(path: Path) -> tuple[Path, list[Path]]:
     if path.is_dir():
         mains = _mains(path)
         if len(mains) > 1:
-            names = ", ".join(str(each.with_suffix("") if each.parent == path else each.parent) for each in mains)
+            names = ", ".join(map(str, _names(path)))
             raise NppgError([Problem(str(path), 0, 0, f"there are several data sets: name one of {names}")])
         if not mains:
             raise NppgError([Problem(str(path), 0, 0, f"there is no data set: {_WHAT}")])
