@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import numpy as np
+
 from nppg.errors import NppgError, Problem
 
 BYTES = 4 * 2**20  # of a domain file
@@ -15,10 +17,14 @@ DIGITS = 1000
 CHARACTERS = 100_000  # of a name or a text
 ARGUMENTS = 10_000  # of a term
 ELEMENTS = 2_000_000  # of a list
-# Lines in which nothing can be out of bounds: a short clause each, without what brackets or an end may hide in.
+# Short clauses, in which nothing can be out of bounds, without what brackets or an end may hide in.
 _SHORT = re.compile(
-    r"""(?:(?:(?:[^%'"`/\\\r\n]|(?<!\w)'[^'\\\r\n]{0,1000}'){1,1000}(?<=[A-Za-z0-9_)\]]\.)|%[^\r\n]*)?\r?\n)+"""
+    r"""(?:(?:(?:[^%'"`/\\\r]|(?<!\w)'[^'\\\r\n]{0,1000}'){1,900}?(?<=[A-Za-z0-9_)\]]\.)|%[^\r\n]*)?\r?\n)+"""
 )
+
+# A clause of nothing but names, numbers, commas and brackets, as problems are.
+_PLAIN = re.compile(r"(?:[\w\s,()\[\]]|(?<=\d)\.(?=\d))+\.(?=\s|$)")
+_LONG = re.compile(rf"\w{{{DIGITS + 1}}}|\w\s+\w")  # digits may stand in groups
 
 _TOKEN = re.compile(
     r"""(?P<blank>\s+|%[^\n]*)
@@ -112,10 +118,22 @@ def _scan(text: str) -> None:
     """Raises _Beyond."""
     start, whole = 0, len(text)
     while start < whole:
-        if short := _SHORT.match(text, start):
+        if (plain := _PLAIN.match(text, start)) and _is_small(plain.group()):
+            start = plain.end()
+        elif short := _SHORT.match(text, start):
             start = short.end()
         else:
             start = _clause_end(text, start)
+
+
+def _is_small(plain: str) -> bool:
+    """Whether nothing in a plain clause can be out of bounds."""
+    if plain.count(",") >= ARGUMENTS or _LONG.search(plain):
+        return False
+    letters = np.frombuffer(plain.encode("ascii", "replace"), np.uint8)
+    opened = ((letters == ord("(")) | (letters == ord("["))).astype(np.int32)
+    closed = ((letters == ord(")")) | (letters == ord("]"))).astype(np.int32)
+    return int((opened - closed).cumsum().max()) <= DEPTH
 
 
 def _clause_end(text: str, start: int) -> int:

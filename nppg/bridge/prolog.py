@@ -51,17 +51,29 @@ class _Exclusive:
 
     def __init__(self) -> None:
         self._lock = threading.RLock()
+        self._depth = self._owner = 0
         self._thread = threading.local()  # with what it is known by, and but in the one that starts Prolog an engine
         self._thread.mark = self._latest = object()
         self.engine = 1  # of the thread that has asked last, as Prolog numbers them
 
     def __enter__(self) -> None:
         self._lock.acquire()
-        if getattr(self._thread, "mark", None) is not self._latest:
-            self._turn()
+        self._depth += 1
+        if self._depth == 1:
+            self._owner = threading.get_ident()
+            if getattr(self._thread, "mark", None) is not self._latest:
+                self._turn()
 
     def __exit__(self, *_: object) -> None:
+        self._depth -= 1
+        if not self._depth:
+            self._owner = 0
         self._lock.release()
+
+    @property
+    def is_own(self) -> bool:
+        """Whether this thread is within."""
+        return self._owner == threading.get_ident()
 
     def _turn(self) -> None:
         """Another thread has asked last. The answers that this one's engine keeps in tables may be about states that
@@ -73,12 +85,13 @@ class _Exclusive:
             self._latest, self.engine = self._thread.mark, janus_swi.engine()
             janus_swi.query_once("abolish_all_tables")
         except BaseException:
-            self._lock.release()
+            self.__exit__()
             raise
 
     def forked(self) -> None:
         """In a process that is forked from another, no thread of that one holds the lock."""
         self._lock = threading.RLock()
+        self._depth = self._owner = 0
 
 
 exclusive = _Exclusive()
@@ -92,6 +105,8 @@ def exclusively(*names: str) -> Callable[[type], type]:
     def held(method: _Method) -> _Method:
         @wraps(method)
         def run(*args: Any, **keywords: Any) -> Any:
+            if exclusive.is_own:
+                return method(*args, **keywords)
             with exclusive:
                 return method(*args, **keywords)
 
