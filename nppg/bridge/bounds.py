@@ -23,7 +23,7 @@ _SHORT = re.compile(
 )
 
 # A clause of nothing but names, numbers, commas and brackets, as problems are.
-_PLAIN = re.compile(r"(?:[\w\s,()\[\]]|(?<=\d)\.(?=\d))+\.(?=\s|$)")
+_PLAIN = re.compile(r"(?:[\w\s,()\[\]]|(?<=\d)\.(?=\d)){1,100000}\.(?=\s|$)")
 _LONG = re.compile(rf"\w{{{DIGITS + 1}}}|\w\s+\w")  # digits may stand in groups
 
 _TOKEN = re.compile(
