@@ -17,6 +17,7 @@ DIGITS = 1000
 CHARACTERS = 100_000  # of a name or a text
 ARGUMENTS = 10_000  # of a term
 ELEMENTS = 2_000_000  # of a list
+
 # Short clauses, in which nothing can be out of bounds, without what brackets or an end may hide in.
 _SHORT = re.compile(
     r"""(?:(?:(?:[^%'"`/\\\r]|(?<!\w)'[^'\\\r\n]{0,1000}'){1,900}?(?<=[A-Za-z0-9_)\]]\.)|%[^\r\n]*)?\r?\n)+"""

@@ -6,10 +6,11 @@ object, over all but that.
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from nppg.bridge.files import sha256
 from nppg.errors import NppgError, Problem
@@ -59,6 +60,17 @@ def opened(
     if wrong:
         or_so = "" if edited is None else ", or --edited (edited=True)"
         raise told(path, f"{wrong}; {hint()}where it is meant to be as it is: nppg sign {path}{or_so}")
+    return found
+
+
+def object_in(path: Path, content: bytes, member: str, wrong: str) -> dict[str, Any]:
+    """The object of JSON that a file's content is, which has this member. Raises NppgError, which says `wrong`."""
+    try:
+        found = json.loads(content)
+    except (ValueError, RecursionError):
+        found = None
+    if not isinstance(found, dict) or member not in found:
+        raise told(path, wrong)
     return found
 
 

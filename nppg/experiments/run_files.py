@@ -13,7 +13,7 @@ from typing import Any
 from nppg.bias.language_bias import LanguageBias
 from nppg.bridge.files import replacing, sha256
 from nppg.bridge.interrupts import undisturbed
-from nppg.bridge.seals import opened, sealed
+from nppg.bridge.seals import object_in, opened, sealed
 from nppg.errors import NppgError, Problem
 from nppg.experiments import drawing
 from nppg.experiments.progress import Judging, Point, Progress, sizes, title
@@ -54,18 +54,8 @@ def settings(domain: Domain, bias: LanguageBias, options: Common, judging: Judgi
 
 def summary_of(output: Path) -> dict[str, Any]:
     """What run.json says. Raises NppgError where it is not there as a run has written it."""
-    path = output / "run.json"
-
-    def parsed(content: bytes) -> dict[str, Any]:
-        try:
-            summary = json.loads(content)
-        except (ValueError, RecursionError):
-            summary = None
-        if not isinstance(summary, dict) or "episodes" not in summary:
-            raise NppgError([Problem(str(path), 0, 0, "is no run.json of nppg, or was cut off")])
-        return summary
-
-    return opened(path, parsed)
+    path, wrong = output / "run.json", "is no run.json of nppg, or was cut off"
+    return opened(path, lambda content: object_in(path, content, "episodes", wrong))
 
 
 def is_finished(output: Path, wanted: Mapping[str, Any]) -> bool:

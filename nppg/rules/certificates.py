@@ -9,7 +9,7 @@ from functools import partial
 from pathlib import Path
 
 from nppg.bridge.files import replacing
-from nppg.bridge.seals import opened, sealed
+from nppg.bridge.seals import object_in, opened, sealed
 from nppg.errors import NppgError, Problem
 
 
@@ -40,12 +40,7 @@ def check_certificate(certificate: Path, proof: Certificate, edited: bool = Fals
 
 
 def _claimed(certificate: Path, content: bytes) -> dict:
-    try:
-        claimed = json.loads(content)
-    except (ValueError, RecursionError):
-        claimed = None
-    if not isinstance(claimed, dict) or "model_sha256" not in claimed:
-        raise NppgError([Problem(str(certificate), 0, 0, "this is no certificate of nppg")])
+    claimed = object_in(certificate, content, "model_sha256", "this is no certificate of nppg")
     return {name: value for name, value in claimed.items() if name != "sha256"}  # which an editor may have moved
 
 
